@@ -1,0 +1,25 @@
+-- luacheck for lua/, examples/ and tests/: the names below are rotor's own beside those of Lua 5.4.
+std = "lua54"
+max_line_length = 120
+cache = false
+
+-- A script may give `ans` a value, as the terminal does.
+globals = { "ans" }
+
+read_globals = {
+  "rotor",
+  -- numbers and jets
+  "pi", "deg", "abs", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt",
+  "floor", "ceil",
+  -- vectors
+  "vec", "dot", "cross", "norm", "unit", "box", "det",
+  -- rotations
+  "rotation", "quaternion", "slerp", "angular_velocity", "rotation_rates", "chain", "commute", "fit_rigid", "mean",
+  "spherical_triangle",
+  -- motion
+  "spin", "evolve", "tradeoff", "read_csv",
+  -- scripted tests
+  "theorem", "near", "holds", "fails",
+  -- the terminal
+  "help", "precision",
+}

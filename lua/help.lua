@@ -1,0 +1,302 @@
+-- help(): the overview, a name, a value. All of it is read from the registry of names.
+local entries = require "rotor.entries"
+local names = require "rotor.names"
+local text = require "rotor.text"
+
+local help = {}
+
+local kMentions = 12  -- as many rows as a search shows
+
+--- The order in which the overview and the reference show the global names; what is not here comes under "Other".
+help.topics = {
+  { "Rotations", "rotation quaternion vec matrix" },
+  { "Combining", "slerp mean commute fit_rigid chain spherical_triangle angular_velocity rotation_rates" },
+  { "Vectors", "dot cross norm unit box det" },
+  { "Motion", "evolve spin tradeoff read_csv" },
+  { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs" },
+  { "Testing", "theorem near holds fails" },
+  { "Terminal", "help precision" },
+}
+
+--- The topics with those of their names that there are: { { title, { row, ... } }, ... }.
+function help.by_topic()
+  local topics, placed = {}, {}
+  local function add(title, rows)
+    if #rows > 0 then topics[#topics + 1] = { title, rows } end
+  end
+  for _, topic in ipairs(help.topics) do
+    local rows = {}
+    for name in topic[2]:gmatch "%S+" do
+      rows[#rows + 1] = names.find("", name)
+      placed[name] = true
+    end
+    add(topic[1], rows)
+  end
+  add("Other", names.select(function(row) return row.owner == "" and not placed[row.name] end))
+  return topics
+end
+
+--- How a name is used: its signature with its owner before it and its result after it.
+function help.usage(row)
+  local usage = row.signature or row.name
+  if row.owner ~= "" and row.kind ~= "operator" and not usage:find "^[%a_][%w_]*[.:][%a_]" then
+    usage = row.owner .. (row.kind == "method" and ":" or ".") .. usage
+  end
+  if row.result and row.result ~= "nil" and not usage:find("->", 1, true) then usage = usage .. " -> " .. row.result end
+  return usage
+end
+
+-- The name to ask for: "slerp", "rotation:inverse", "run.cost".
+local function full_name(row)
+  if row.owner == "" or row.kind == "operator" then return row.name end
+  return row.owner .. (row.kind == "method" and ":" or ".") .. row.name
+end
+
+local function in_full(row)
+  local parts = { text.wrap(help.usage(row), "", "    "), text.wrap(row.summary or "", "  ") }
+  if row.example then
+    local call, shown = row.example:match "^(.-)%s*%-%->%s*(.*)$"
+    parts[#parts + 1] = ""
+    parts[#parts + 1] = "  rotor> " .. (call or row.example)
+    if shown and shown ~= "" then parts[#parts + 1] = "  " .. shown end
+  end
+  return table.concat(parts, "\n")
+end
+
+-- Usage and first sentence, a row a line. Under a type's heading its name goes without saying: ".axis -> vec".
+local function in_short(rows, under_type)
+  local cells = {}
+  for i, row in ipairs(rows) do
+    local usage, summary = help.usage(row), row.summary or ""
+    if under_type and row.kind ~= "operator" then usage = usage:gsub("^[%a_][%w_]*([.:])", "%1") end
+    cells[i] = { usage, summary:match "^(.-[^.]%.)%s+%u" or summary }
+  end
+  return text.two_columns(cells, 36)
+end
+
+-- What a type's values can do, and where they come from.
+local function about_type(name)
+  local makers = names.select(function(row) return row.result == name and row.owner ~= name and row.kind ~= "field" end)
+  for i, row in ipairs(makers) do makers[i] = full_name(row) end
+  local parts = { "Type " .. name .. (makers[1] and ", made by " .. table.concat(makers, ", ") or "") }
+  parts[1] = text.wrap(parts[1], "", "    ")
+  for _, group in ipairs { { "Fields", "field" }, { "Methods", "method" }, { "Operators", "operator" },
+    { "Functions", "function" }, { "Values", "value" } } do
+    local rows = names.members(name, group[2])
+    if #rows > 0 then
+      parts[#parts + 1] = "\n" .. group[1] .. "\n" .. in_short(rows, group[2] ~= "function")
+    end
+  end
+  return table.concat(parts, "\n")
+end
+
+local function about_rows(rows)
+  if #rows > 4 then return in_short(rows) end
+  local parts = {}
+  for i, row in ipairs(rows) do parts[i] = in_full(row) end
+  return table.concat(parts, "\n\n")
+end
+
+-- The rows for a name without an owner; a global one first.
+local function about_word(word)
+  local row, named = names.find("", word), names.select(function(r) return r.name == word and r.owner ~= "" end)
+  local listing = (names.is_type(word) or names.members(word)[1]) and about_type(word)
+  if not (row or listing) then return named[1] and about_rows(named) end
+  local parts = { row and in_full(row), listing or nil }
+  if not row then parts = { listing } end
+  if #named > 0 then
+    for i, r in ipairs(named) do named[i] = full_name(r) end
+    parts[#parts + 1] = text.wrap("See also " .. table.concat(named, ", "), "", "    ")
+  end
+  return table.concat(parts, "\n\n")
+end
+
+-- Lua's own names -----------------------------------------------------------------------------------------------------
+
+local kManual = "https://www.lua.org/manual/5.4/manual.html#"
+local kLibraries = { coroutine = "6.2", package = "6.3", string = "6.4", utf8 = "6.5", table = "6.6", math = "6.7",
+  io = "6.8", os = "6.9", debug = "6.10" }
+local kFunctions = " assert collectgarbage dofile error getmetatable ipairs load loadfile next pairs pcall print "
+  .. "rawequal rawget rawlen rawset require select setmetatable tonumber tostring type warn xpcall _G _VERSION "
+local kKeywords = " and break do else elseif end false for function goto if in local nil not or repeat return then "
+  .. "true until while "
+
+local function about_lua(name)
+  local library, member = name:match "^(%w+)%.(%w+)$"
+  if kKeywords:find(" " .. name .. " ", 1, true) then
+    return name .. " is a word of the language Lua:\n  " .. kManual .. "3"
+  elseif kFunctions:find(" " .. name .. " ", 1, true)
+    or kLibraries[library] and rawget(rawget(_G, library) or {}, member) ~= nil then
+    return name .. " is Lua's own:\n  " .. kManual .. "pdf-" .. name
+  elseif kLibraries[name] then
+    local members = {}
+    for key in next, rawget(_G, name) or {} do members[#members + 1] = tostring(key) end
+    table.sort(members)
+    return name .. " is a library of Lua:\n  " .. kManual .. kLibraries[name] .. "\n"
+      .. text.wrap(table.concat(members, " "), "  ")
+  end
+end
+
+-- The name under which a value without a row can be reached in Lua's libraries, or nil.
+local function lua_name(value)
+  for name in kFunctions:gmatch "%S+" do
+    if rawequal(rawget(_G, name), value) then return name end
+  end
+  for library in pairs(kLibraries) do
+    local members = rawget(_G, library)
+    if rawequal(members, value) then return library end
+    for key, member in next, type(members) == "table" and members or {} do
+      if rawequal(member, value) and type(value) == "function" then return library .. "." .. key end
+    end
+  end
+end
+
+-- A value -------------------------------------------------------------------------------------------------------------
+
+-- The global name of a value whose row does not hold it (a library such as `spin`), or nil.
+local function global_name(value)
+  if type(value) ~= "table" then return nil end
+  for _, row in ipairs(entries) do
+    local name = row.owner == "" and row.name or row.owner
+    if rawequal(rawget(_G, name), value) then return name end
+  end
+end
+
+local function about_value(value)
+  local kind = names.type_of(value)
+  local row, name = names.row_of(value), global_name(value)
+  if row and row.owner ~= "" then return in_full(row) end
+  if row or name then return about_word(row and row.name or name) end
+  name = lua_name(value)
+  if name then return about_lua(name) end
+  if names.is_type(kind) then return about_type(kind) end
+  if kind == "function" then
+    local info = debug.getinfo(value, "S")
+    return "A function of your own, defined in " .. info.short_src .. ", line " .. info.linedefined .. "."
+  elseif kind == "nil" then
+    return 'nil: this name has no value. To look for it write it in quotes: help "name"'
+  end
+  local plain = kind == "number" or kind == "boolean"
+  return "A " .. kind .. " of your own" .. (plain and ": " .. tostring(value) or ".")
+end
+
+-- A name --------------------------------------------------------------------------------------------------------------
+
+-- "R:inverse", "run.cost.steps", "rotation.from_mrp": along values and result types, nil where it leads nowhere.
+local function about_path(path)
+  local first, rest = path:match "^([%a_][%w_]*)([.:].+)$"
+  if not first then return nil end
+  local row = names.find(first, rest:sub(2))
+  if row then return in_full(row) end
+  local thing = names.global(first)
+  if not thing or thing.type == "function" then thing = { type = first } end
+  for key in rest:gmatch "[^.:]+" do
+    thing = thing and names.member(thing, key)
+  end
+  if thing then return thing.row and in_full(thing.row) or thing.value ~= nil and about_value(thing.value) end
+  local last = rest:match "([%a_][%w_]*)$"
+  local known = names.is_type(first) or names.global(first)
+  return not known and last and about_word(last) or nil
+end
+
+local function about_operator(symbol)
+  if symbol == "" or symbol:find "^[%w_.:]+$" then return nil end
+  local rows = names.select(function(row)
+    if row.kind ~= "operator" then return false end
+    return row.name == symbol or not symbol:find "[%w_]" and row.name:gsub("[%w_%s]", "") == symbol
+  end)
+  return rows[1] and about_rows(rows)
+end
+
+-- "R:foo" where R is a rotation: what its type has that is like it.
+local function about_missing_member(path)
+  local owner, key = path:match "^([%a_][%w_]*)[.:]([%a_][%w_]*)$"
+  local thing = owner and names.global(owner)
+  local kind = thing and names.is_type(thing.type) and thing.type or owner
+  if not owner or not names.is_type(kind) then return nil end
+  local all = names.members(kind)
+  for i, row in ipairs(all) do all[i] = row.name end
+  local guess = names.suggest(key, all)
+  return ('A %s has no %s. %s help "%s" lists what it has.'):format(kind, key,
+    guess and "Did you mean " .. guess .. "?" or "", kind):gsub("  +", " ")
+end
+
+local function mentions(word)
+  return names.select(function(row)
+    local where = full_name(row) .. "\n" .. (row.signature or "") .. "\n" .. (row.summary or "")
+    return where:lower():find(word:lower(), 1, true) ~= nil
+  end)
+end
+
+local function about_unknown(word)
+  local all = {}
+  for i, row in ipairs(entries) do all[i] = word:find "[.:]" and full_name(row) or row.name end
+  local guess = names.suggest(word, all)
+  if guess and word:find "[.:]" and not guess:find "[.:]" then guess = nil end
+  local answer = "There is no name " .. word .. "." .. (guess and " Did you mean " .. guess .. "?" or "")
+  local found = mentions(word)
+  if #found > 0 then
+    local shown = table.move(found, 1, math.min(#found, kMentions), 1, {})
+    answer = answer .. "\nIt is mentioned in\n" .. in_short(shown)
+    return answer .. (#found > kMentions and ("\n  and %d more"):format(#found - kMentions) or "")
+  end
+  if not guess then answer = answer .. ' help() lists the names; help "word" looks for a word in all of them.' end
+  return text.wrap(answer, "")
+end
+
+local function about_name(name)
+  name = name:match "^%s*(.-)%s*$":gsub("%(%)$", "")
+  local answer = about_word(name) or about_path(name) or about_operator(name)
+  if answer then return answer end
+  local value = name:find "^[%a_][%w_]*$" and rawget(_G, name)
+  local of_lua = about_lua(name)
+  if of_lua then return of_lua end
+  if value ~= nil and value ~= false then return about_value(value) end
+  return about_missing_member(name) or about_unknown(name)
+end
+
+-- The overview --------------------------------------------------------------------------------------------------------
+
+local kFirst = [[
+Type an expression to see its value; anything of Lua 5.4 works.
+  R = rotation({1,0,0}, 90*deg)       a quarter turn about x
+  R * {0,1,0}                         what it does to a vector
+  run = evolve{omega = {0,0,1}, from = R, to = 4*pi}
+  run(2*pi).axis                      where the axis is after a whole turn
+]]
+
+local kLast = [[
+help "slerp"  help "R:inverse"  help(R)  help "word"   at the prompt also ?slerp
+Angles are in radians (30*deg), quaternions (w, x, y, z), rotations active;
+omega is given in the space frame and depends on t alone.
+Unlike lua5.4: an error on piped input ends with status 1, and os.setlocale
+never changes numbers.]]
+
+--- The overview: what to type first, the names by topic, the conventions. It fits a screen of 80 x 24.
+function help.overview()
+  local rows = {}
+  for i, topic in ipairs(help.by_topic()) do
+    local list = {}
+    for k, row in ipairs(topic[2]) do list[k] = row.name end
+    rows[i] = { topic[1], table.concat(list, " ") }
+  end
+  local types = names.types()
+  rows[#rows + 1] = { "Types", table.concat(types, " ") .. '  (what they can do: help "rotation")' }
+  return kFirst .. "\n" .. text.two_columns(rows, 12) .. "\n\n" .. kLast
+end
+
+--- The text that help(...) prints.
+function help.text(...)
+  if select("#", ...) == 0 or ... == "" then return help.overview() end
+  local subject = ...
+  return type(subject) == "string" and about_name(subject) or about_value(subject)
+end
+
+--- The whole reference as Markdown.
+function help.reference() return require("rotor.reference").markdown() end
+
+--- The stub file for editors (---@meta of lua-language-server).
+function help.stub() return require("rotor.reference").stub() end
+
+--- Called, the module is the global function `help`: it prints.
+return setmetatable(help, { __call = function(_, ...) print(help.text(...)) end })

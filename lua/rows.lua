@@ -1,0 +1,39 @@
+-- The names that the Lua library adds to the registry. Their modules are loaded at the first call.
+local function help(...)
+  return require "rotor.help"(...)
+end
+
+local function testing(name)
+  return function(...) return require "rotor.testing"[name](...) end
+end
+
+return {
+  { owner = "", name = "help", kind = "function", result = "nil", value = help,
+    signature = "help(name or value)",
+    summary = 'Prints what is known about a name (help "slerp", help "run:csv") or a value (help(R)); help() alone '
+      .. "gives an overview. A word that is no name is looked for in all names and summaries.",
+    example = 'help "rotation"' },
+  { owner = "", name = "theorem", kind = "function", result = "nil", value = testing("theorem"),
+    signature = "theorem(name, f)",
+    summary = "Runs f and prints the checks that it makes (near, holds, fails) as a table: predicted, measured, "
+      .. "difference, tolerance, PASS or FAIL. A script in which a theorem failed ends with status 1; "
+      .. "rotor --test prints one TAP line for each theorem. A theorem that checks nothing fails.",
+    example = 'theorem("half turns", function() near(180*deg, math.pi, 1e-15, "180 degrees") end)' },
+  { owner = "", name = "near", kind = "function", result = "nil", value = testing("near"),
+    signature = "near(predicted, measured, tolerance, what)",
+    summary = "Checks that the difference is at most the tolerance: of two numbers its magnitude, of vectors, "
+      .. "quaternions, matrices and arrays the largest of any component, of rotations the distance of their "
+      .. "operators in radians. NaN is near nothing; equal infinities are near. "
+      .. "Outside a theorem, what is not near raises an error.",
+    example = 'near(math.pi, 355/113, 1e-6, "the ratio of Zu Chongzhi")' },
+  { owner = "", name = "holds", kind = "function", result = "nil", value = testing("holds"),
+    signature = "holds(condition, what)",
+    summary = "Checks that the condition is true: no other value passes, so that a forgotten comparison is seen. "
+      .. "Outside a theorem, what does not hold raises an error.",
+    example = 'holds(2^53 == 2^53 + 1.0, "doubles end")' },
+  { owner = "", name = "fails", kind = "function", result = "nil", value = testing("fails"),
+    signature = "fails(f, what, pattern)",
+    summary = "Checks that f() raises an error, whose message has the Lua pattern in it if one is given. "
+      .. "Outside a theorem, an f that does not fail raises an error.",
+    example = 'fails(function() return 1 + {} end, "no sum with a table", "arithmetic")' },
+}

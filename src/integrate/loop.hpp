@@ -1,0 +1,78 @@
+// The one time loop.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "rotation/text.hpp"
+
+namespace rotor {
+
+/// Called before each step with the time reached; false stops the run there.
+using Observer = std::function<bool(double t)>;
+
+/// What an integration has cost.
+struct Cost {
+  std::size_t omega_calls = 0;
+  std::size_t steps = 0;     // accepted
+  std::size_t rejected = 0;  // tried and given up
+  double seconds = 0;
+};
+
+/// Why a run ended before its end.
+struct Stop {
+  std::string reason;        // "interrupted", "step limit", "step underflow", "omega failed"
+  double t = 0;              // the time reached
+  std::string message;       // for people
+  std::exception_ptr cause;  // what omega threw, if it did
+};
+
+/// Steps shorter than this are not told apart from rounding: the nodes within one would fall
+/// together.
+inline double shortest_step(double t) {
+  return 64 * std::numeric_limits<double>::epsilon() * std::abs(t);
+}
+
+/// Drives `method` from t0 to t1. A method has
+///   double next(double t)               the end of the step that it would take from t,
+///   bool step(double t, double t_next)  takes it, or rejects it and will propose a shorter one.
+/// Steps end at doubles exactly, so that no error of time accumulates. Counts steps in `cost`.
+/// Nothing if t1 was reached, else why not; an exception from omega is kept in Stop::cause.
+template <class Method>
+std::optional<Stop> integrate(Method& method, double t0, double t1, std::size_t max_steps,
+                              const Observer& observer, Cost& cost) {
+  double t = t0;
+  try {
+    while (t != t1) {
+      if (observer && !observer(t)) return Stop{"interrupted", t, "interrupted", nullptr};
+      if (cost.steps + cost.rejected >= max_steps) {
+        return Stop{"step limit", t,
+                    "step limit: max_steps = " + std::to_string(max_steps) + " are used up",
+                    nullptr};
+      }
+      const double t_next = method.next(t);
+      if (t_next == t || (t_next != t1 && std::abs(t_next - t) < shortest_step(t))) {
+        return Stop{"step underflow", t,
+                    "step underflow: the step fell to " + text(t_next - t, 2) +
+                        ", below what t can resolve: omega jumps there, or is not smooth",
+                    nullptr};
+      }
+      if (method.step(t, t_next)) {
+        ++cost.steps;
+        t = t_next;
+      } else {
+        ++cost.rejected;
+      }
+    }
+  } catch (const std::exception& error) {
+    return Stop{"omega failed", t, error.what(), std::current_exception()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace rotor

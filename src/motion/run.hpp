@@ -1,0 +1,87 @@
+// The run and its states: the motion of one start, with axis and angle that go on continuously.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "integrate/propagator.hpp"
+#include "rotation/rotation.hpp"
+#include "spin/angular_velocity.hpp"
+
+namespace rotor {
+
+/// Where the body is at t: axis and angle continuous in t, and the quaternion that goes with them.
+struct State {
+  double t = 0;
+  double angle = 0;       // any real: turns are counted
+  Vector axis;            // unit
+  Quaternion quaternion;  // (cos angle/2, axis sin angle/2), continuous
+
+  Rotation rotation() const { return {axis, angle}; }
+  /// E = axis * angle.
+  Vector euler_vector() const { return axis * angle; }
+};
+
+/// How axis, angle and Euler vector move.
+struct Rates {
+  double angle_rate;  // [P5] omega . n
+  Vector axis_rate;   // [P5] (omega - n (omega . n)) cot(theta/2)/2 + omega x n/2
+  Vector euler_rate;  // [P7]
+};
+
+/// A passage of the axis and angle through theta = 2 pi k, where M = n sin(theta/2) is zero.
+struct Crossing {
+  double t;
+  bool through;        // into the neighbouring interval; else theta turned back
+  double turn_before;  // the integer l with 2 pi l <= theta <= 2 pi (l + 1)
+  double turn_after;
+};
+
+/// A motion: propagator and start.
+class Run {
+ public:
+  Run(AngularVelocity omega, Propagator propagator, const Rotation& from);
+
+  double t0() const { return propagator_.t0; }
+  double t1() const { return propagator_.t1; }
+  const Rotation& from() const { return from_; }
+  const Propagator& propagator() const { return propagator_; }
+  bool complete() const { return !propagator_.stop; }
+  /// In the order of the motion. About a fixed axis they are made on demand; throws
+  /// std::length_error where there are more than a million.
+  std::vector<Crossing> crossings() const;
+
+  /// The state at t; throws std::out_of_range outside [t0, t1].
+  State operator()(double t) const;
+  /// How the state moves, given omega at its t. Where M is exactly zero the axis rate depends on
+  /// the derivatives of omega: NaN, except about a fixed axis.
+  Rates rates(const State& state, const Vector& omega) const;
+  /// omega(t): a call of the script's function where it is one.
+  Vector omega(double t) const { return omega_(t); }
+
+ private:
+  Quaternion quaternion(double t) const { return propagator_(t) * start_; }
+  // The angle about the fixed axis of the start, for a motion that has one; in extended precision.
+  Extended fixed_axis_angle(double t) const;
+  void find_crossings();
+  bool is_zero_of_m(const double (&t)[3], const double (&m)[3]) const;
+
+  AngularVelocity omega_;
+  Propagator propagator_;
+  Rotation from_;
+  Quaternion start_;
+  // theta = 4 pi double_turns_ + psi, where psi in (-2 pi, 2 pi) at the start and its interval
+  // 2 pi l <= psi <= 2 pi (l + 1) has l = first_turn_, changed by crossings_ (whose turns are those
+  // of psi).
+  Extended double_turns_ = 0;
+  double first_turn_ = 0;
+  double fixed_axis_ =
+      0;         // +1 or -1: a turn about plus or minus the axis of the start; 0: no such thing
+  Vector axis_;  // the axis of the start; about a fixed axis, of the whole motion
+  std::vector<Crossing> crossings_;
+};
+
+/// Runs the scene from `from` to its end, or to where it stopped (propagator().stop).
+Run evolve(const Scene& scene, const Rotation& from, const Observer& observer = {});
+
+}  // namespace rotor

@@ -1,0 +1,39 @@
+#include "motion/times.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "rotation/text.hpp"
+
+namespace rotor {
+
+std::vector<double> times_in(double t0, double t1, std::size_t n) {
+  if (n == 0) throw std::invalid_argument("n must be 1 or more, got 0");
+  std::vector<double> times(n, t0);
+  for (std::size_t i = 1; i < n; ++i) {
+    // Weights, not t1 - t0, which may overflow; the last is t1 exactly.
+    const double s = static_cast<double>(i) / static_cast<double>(n - 1);
+    times[i] = t0 * (1 - s) + t1 * s;
+  }
+  return times;
+}
+
+std::vector<double> times_every(double t0, double t1, double every) {
+  if (!(every > 0)) throw std::invalid_argument("every must be positive, got " + text(every));
+  // A count that misses a whole number by rounding alone is that number.
+  const double count = std::floor(std::abs(t1 - t0) / every * (1 + 1e-14));
+  if (count >= 1e8) {
+    throw std::invalid_argument("every = " + text(every) + " makes " + text(count, 3) +
+                                " times, more than 1e8");
+  }
+  std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(count) + 1);
+  for (double i = 0; i <= count; ++i) {
+    const double t = t1 >= t0 ? t0 + i * every : t0 - i * every;
+    times.push_back(t1 >= t0 ? std::min(t, t1) : std::max(t, t1));
+  }
+  return times;
+}
+
+}  // namespace rotor

@@ -1,0 +1,25 @@
+// A run as a CSV file and as a picture.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "motion/run.hpp"
+#include "output/canvas.hpp"
+#include "output/columns.hpp"
+
+namespace rotor {
+
+/// Writes the states at the times as FILE, and where it comes from as FILE.json: program, columns
+/// with their meaning, interval, start, method, accuracy, error estimate, cost. `scene` is a word
+/// on what was run, for instance the script's name. Throws std::system_error if a file cannot be
+/// written.
+void write_csv(const Run& run, std::span<const double> times, const Columns& columns,
+               const std::filesystem::path& file, const std::string& scene);
+
+/// Columns over time as an ASCII plot.
+std::string plot(const Run& run, std::span<const double> times, const Columns& columns,
+                 PlotOptions options = {});
+
+}  // namespace rotor

@@ -1,0 +1,25 @@
+// Tables for people.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rotor {
+
+enum class Align {
+  kAuto,  // kPoint if every cell reads as a number (or is empty), else kLeft
+  kLeft,
+  kRight,
+  kPoint,  // the decimal points stand below each other
+};
+
+/// The header, a rule and the rows, two blanks between the columns, no blanks at line ends; every
+/// line ends with '\n'. Rows may be shorter than the header: their last cells are empty.
+/// `alignment` may name the first columns only: the others are kAuto. Throws std::invalid_argument
+/// on a row longer than the header.
+std::string table(std::span<const std::string> header,
+                  std::span<const std::vector<std::string>> rows,
+                  std::span<const Align> alignment = {});
+
+}  // namespace rotor

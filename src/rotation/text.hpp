@@ -1,0 +1,20 @@
+// How numbers are written, in messages and in everything that rotor prints.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace rotor {
+
+/// The shortest text that reads back as exactly `x` (std::to_chars). Fixed form for 1e-5 <= |x| <
+/// 1e15, else with an exponent; a whole number keeps ".0"; "nan", "inf", "-inf". Never depends on
+/// the locale.
+std::string text(double x);
+
+/// As above with at most `digits` significant digits (1 to 17), for people; trailing zeros dropped.
+std::string text(double x, int digits);
+
+/// "(x, y, z)".
+std::string text(const Eigen::Vector3d& v);
+
+}  // namespace rotor

@@ -1,0 +1,170 @@
+// Between Lua's values and C++'s: one Convert<T> a type.
+//
+// get(L, index) gives the value or throws Mismatch; push(L, value) pushes it.
+#pragma once
+
+#include <cstdint>
+#include <lua.hpp>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "motion/run.hpp"
+#include "rotation/rotation.hpp"
+
+namespace rotor::script {
+
+/// "expected a rotation, got nil".
+class Mismatch : public std::runtime_error {
+ public:
+  Mismatch(lua_State* L, int index, const std::string& expected);
+  explicit Mismatch(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// What a value is, for people: `nil`, `number 3.0`, `string "abc"`, `vec`, `table`.
+std::string describe(lua_State* L, int index);
+
+/// "; did you mean 'angle'?" or nothing. The candidates are the string keys of the table at
+/// `index`.
+std::string did_you_mean(lua_State* L, const std::string& word, int index);
+
+/// The types that live in userdata. `name` is what scripts call the type; `member` may read numeric
+/// keys.
+template <class T>
+struct UserType;  // static constexpr const char* name
+
+/// A run is shared with its states.
+using SharedRun = std::shared_ptr<const Run>;
+
+/// A state and the run that it is of.
+struct RunState {
+  SharedRun run;
+  State state;
+};
+
+// clang-format off
+template <> struct UserType<Vector>     { static constexpr const char* name = "vec"; };
+template <> struct UserType<Rotation>   { static constexpr const char* name = "rotation"; };
+template <> struct UserType<Quaternion> { static constexpr const char* name = "quaternion"; };
+template <> struct UserType<SharedRun>  { static constexpr const char* name = "run"; };
+template <> struct UserType<RunState>   { static constexpr const char* name = "state"; };
+template <> struct UserType<Cost>       { static constexpr const char* name = "cost"; };
+// clang-format on
+
+/// The key of a type's metatable in the registry.
+std::string metatable_key(const char* type);
+
+/// Where in its block a value lies: Lua aligns to 8, Eigen's quaternion wants 16.
+template <class T>
+T* aligned(void* block) {
+  auto address = reinterpret_cast<std::uintptr_t>(block);
+  address = (address + alignof(T) - 1) / alignof(T) * alignof(T);
+  return reinterpret_cast<T*>(address);
+}
+
+template <class T>
+T* test_user_value(lua_State* L, int index) {
+  void* block = luaL_testudata(L, index, metatable_key(UserType<T>::name).c_str());
+  return block == nullptr ? nullptr : aligned<T>(block);
+}
+
+template <class T>
+struct ConvertUser {
+  static const T& get(lua_State* L, int index) {
+    const T* value = test_user_value<T>(L, index);
+    if (value == nullptr) throw Mismatch(L, index, std::string("a ") + UserType<T>::name);
+    return *value;
+  }
+  static void push(lua_State* L, const T& value) {
+    void* block = lua_newuserdatauv(L, sizeof(T) + alignof(T), 0);
+    new (aligned<T>(block)) T(value);
+    luaL_setmetatable(L, metatable_key(UserType<T>::name).c_str());
+  }
+  static int collect(lua_State* L) {
+    std::destroy_at(aligned<T>(lua_touserdata(L, 1)));
+    return 0;
+  }
+};
+
+template <class T>
+struct Convert : ConvertUser<T> {};
+
+/// vec or {x, y, z}.
+template <>
+struct Convert<Vector> : ConvertUser<Vector> {
+  static Vector get(lua_State* L, int index);
+};
+
+/// A table of three rows of three numbers; pushed with the metatable "matrix".
+template <>
+struct Convert<Matrix> {
+  static Matrix get(lua_State* L, int index);
+  static void push(lua_State* L, const Matrix& m);
+};
+
+template <>
+struct Convert<double> {
+  static double get(lua_State* L, int index);
+  static void push(lua_State* L, double x) { lua_pushnumber(L, x); }
+};
+
+/// An integer, 0 or more.
+template <>
+struct Convert<std::size_t> {
+  static std::size_t get(lua_State* L, int index);
+  static void push(lua_State* L, std::size_t x) { lua_pushinteger(L, static_cast<lua_Integer>(x)); }
+};
+
+template <>
+struct Convert<bool> {
+  static void push(lua_State* L, bool x) { lua_pushboolean(L, x); }
+};
+
+template <>
+struct Convert<std::string> {
+  static std::string get(lua_State* L, int index);
+  static void push(lua_State* L, const std::string& s) { lua_pushlstring(L, s.data(), s.size()); }
+};
+
+template <class T>
+struct Convert<std::optional<T>> {
+  static std::optional<T> get(lua_State* L, int index) {
+    if (lua_isnoneornil(L, index)) return std::nullopt;
+    return Convert<T>::get(L, index);
+  }
+};
+
+/// A list {a, b, ...}.
+template <class T>
+struct Convert<std::vector<T>> {
+  static std::vector<T> get(lua_State* L, int index) {
+    if (!lua_istable(L, index)) throw Mismatch(L, index, "a list");
+    const auto size = lua_rawlen(L, index);
+    std::vector<T> list;
+    list.reserve(size);
+    for (lua_Unsigned i = 1; i <= size; ++i) {
+      lua_rawgeti(L, index, static_cast<lua_Integer>(i));
+      try {
+        list.push_back(Convert<T>::get(L, lua_gettop(L)));
+      } catch (const Mismatch& error) {
+        throw Mismatch("item " + std::to_string(i) + ": " + error.what());
+      }
+      lua_pop(L, 1);
+    }
+    return list;
+  }
+  static void push(lua_State* L, const std::vector<T>& list) {
+    lua_createtable(L, static_cast<int>(list.size()), 0);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Convert<T>::push(L, list[i]);
+      lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    }
+  }
+};
+
+}  // namespace rotor::script

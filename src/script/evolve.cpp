@@ -1,0 +1,142 @@
+#include "script/evolve.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "rotation/text.hpp"
+#include "script/interrupt.hpp"
+#include "script/lua_value.hpp"
+#include "script/options.hpp"
+#include "script/progress.hpp"
+#include "script/scripted_omega.hpp"
+
+namespace rotor::script {
+namespace {
+
+constexpr std::array<std::pair<const char*, Method>, 4> kMethods = {{{"auto", Method::kAuto},
+                                                                     {"exact", Method::kExact},
+                                                                     {"rk4", Method::kRk4},
+                                                                     {"dop853", Method::kDop853}}};
+
+Method method_named(const std::string& name) {
+  std::string known;
+  for (const auto& [key, method] : kMethods) {
+    if (name == key) return method;
+    known += (known.empty() ? "\"" : ", \"") + std::string(key) + "\"";
+  }
+  throw std::invalid_argument("method: expected one of " + known + ", got \"" + name + "\"");
+}
+
+AngularVelocity omega_of(lua_State* L, const Options& options) {
+  const StackGuard guard(L);
+  options.push("omega");
+  if (lua_isnil(L, -1))
+    throw std::invalid_argument(std::string("omega is missing; usage: ") + kEvolve);
+  try {
+    return scripted_omega(L, lua_gettop(L));
+  } catch (const Mismatch&) {
+    throw std::invalid_argument("omega: expected a function of t, a vec or {x, y, z}, got " +
+                                describe(L, -1));
+  }
+}
+
+void set_interval(const Options& options, Scene& scene) {
+  const auto interval = options.get<std::vector<double>>("t");
+  const auto to = options.get<double>("to");
+  if (interval.has_value() == to.has_value()) {
+    throw std::invalid_argument(interval ? "give t = {t0, t1} or to = t1, not both"
+                                         : "give to = t1 or t = {t0, t1}");
+  }
+  if (to) {
+    scene.t1 = *to;
+    return;
+  }
+  if (interval->size() != 2) {
+    throw std::invalid_argument("t: expected {t0, t1}, got " + std::to_string(interval->size()) +
+                                " numbers");
+  }
+  scene.t0 = interval->front();
+  scene.t1 = interval->back();
+}
+
+Scene scene_of(lua_State* L, const Options& options) {
+  Scene scene{.omega = omega_of(L, options)};
+  set_interval(options, scene);
+  scene.method = method_named(options.get<std::string>("method").value_or("auto"));
+  scene.step = options.get<double>("step");
+  if (scene.step && options.has("accuracy")) {
+    throw std::invalid_argument(
+        "give accuracy or step, not both: a fixed step has no say in accuracy");
+  }
+  scene.accuracy = options.get<double>("accuracy").value_or(scene.accuracy);
+  scene.max_step = options.get<double>("max_step").value_or(scene.max_step);
+  scene.max_steps = options.get<std::size_t>("max_steps").value_or(scene.max_steps);
+  return scene;
+}
+
+// Pushes what omega raised, or nil.
+void push_cause(lua_State* L, const Stop& stop) {
+  try {
+    if (stop.cause) std::rethrow_exception(stop.cause);
+    lua_pushnil(L);
+  } catch (const ScriptError& error) {
+    error.push(L);
+  } catch (const std::exception& error) {
+    lua_pushstring(L, error.what());
+  }
+}
+
+int message_of_stop(lua_State* L) {
+  lua_getfield(L, 1, "message");
+  return 1;
+}
+
+[[noreturn]] void raise_stop(lua_State* L, const SharedRun& run, const Scene& scene) {
+  const Stop& stop = *run->propagator().stop;
+  const bool interrupted = interrupt_pending();
+  const std::string reason = interrupted ? "interrupted" : stop.reason;
+  luaL_where(L, 1);
+  const std::string message =
+      lua_tostring(L, -1) +
+      ("evolve: stopped at t = " + text(stop.t) + " of " + text(scene.t0) + " .. " +
+       text(scene.t1) + ": " + (interrupted ? reason : stop.message));
+  lua_createtable(L, 0, 5);
+  Convert<std::string>::push(L, reason);
+  lua_setfield(L, -2, "reason");
+  lua_pushnumber(L, stop.t);
+  lua_setfield(L, -2, "t");
+  Convert<SharedRun>::push(L, run);
+  lua_setfield(L, -2, "run");
+  Convert<std::string>::push(L, message);
+  lua_setfield(L, -2, "message");
+  push_cause(L, stop);
+  lua_setfield(L, -2, "cause");
+  if (luaL_newmetatable(L, metatable_key("stop").c_str()) != 0) {
+    lua_pushliteral(L, "stop");
+    lua_setfield(L, -2, "__name");
+    lua_pushcfunction(L, message_of_stop);
+    lua_setfield(L, -2, "__tostring");
+  }
+  lua_setmetatable(L, -2);
+  throw ScriptError(std::make_shared<const Reference>(L, -1), message);
+}
+
+}  // namespace
+
+SharedRun evolve_options(lua_State* L) {
+  const Options options(L, 1, kEvolve);
+  const Scene scene = scene_of(L, options);
+  const Rotation from = options.get<Rotation>("from").value_or(Rotation());
+  Progress progress;
+  const auto observer = [&](double t) {
+    progress.show((t - scene.t0) / (scene.t1 - scene.t0));
+    return !interrupt_pending();
+  };
+  const auto run = std::make_shared<const Run>(evolve(scene, from, observer));
+  if (!run->complete()) raise_stop(L, run, scene);
+  return run;
+}
+
+}  // namespace rotor::script

@@ -1,0 +1,293 @@
+// evolve, run, state and cost.
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/run.hpp"
+#include "motion/times.hpp"
+#include "output/run_output.hpp"
+#include "rotation/text.hpp"
+#include "script/binding.hpp"
+#include "script/evolve.hpp"
+#include "script/options.hpp"
+#include "script/show.hpp"
+
+namespace rotor::script {
+namespace {
+
+Results evolve_entry(lua_State* L) {
+  Convert<SharedRun>::push(L, evolve_options(L));
+  return {1};
+}
+
+// Times in an options table, {n=}, {every=} or {times=}; 1000 where none is given.
+std::vector<double> times_of(const Options& options, const Run& run) {
+  const auto n = options.get<std::size_t>("n");
+  const auto every = options.get<double>("every");
+  const auto times = options.get<std::vector<double>>("times");
+  if (int{n.has_value()} + int{every.has_value()} + int{times.has_value()} > 1) {
+    throw std::invalid_argument("give one of n, every and times");
+  }
+  if (times) return *times;
+  if (every) return times_every(run.t0(), run.t1(), *every);
+  return times_in(run.t0(), run.t1(), n.value_or(1000));
+}
+
+// A name, or a list of names.
+std::vector<std::string> names_at(lua_State* L, int index) {
+  if (lua_isstring(L, index)) return {Convert<std::string>::get(L, index)};
+  return Convert<std::vector<std::string>>::get(L, index);
+}
+
+// run(t).
+Results state_at(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  Convert<RunState>::push(L, {run, (*run)(argument<double>(L, 2))});
+  return {1};
+}
+
+constexpr const char* kSample = "run:sample{n=, every=, times=} -> table";
+Results sample(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  const std::vector<double> times = times_of(Options(L, 2, kSample), *run);
+  lua_createtable(L, static_cast<int>(times.size()), 0);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    Convert<RunState>::push(L, {run, (*run)(times[i])});
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  return {1};
+}
+
+// The name of the script, from the table arg (which has the program before it), for the record.
+std::string scene_name(lua_State* L) {
+  const StackGuard guard(L);
+  if (lua_getglobal(L, "arg") != LUA_TTABLE || lua_rawgeti(L, -1, -1) != LUA_TSTRING)
+    return "terminal";
+  return lua_rawgeti(L, -2, 0) == LUA_TSTRING ? lua_tostring(L, -1) : "terminal";
+}
+
+constexpr const char* kCsv = "run:csv(file, {n=, every=, times=, columns=})";
+Results csv(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  const std::string file = argument<std::string>(L, 2);
+  const Options options(L, 3, kCsv);
+  const std::vector<double> times = times_of(options, *run);
+  const auto names = options.get<std::vector<std::string>>("columns");
+  const Columns columns(names ? std::span<const std::string>(*names) : Columns::standard());
+  write_csv(*run, times, columns, file, scene_name(L));
+  lua_getglobal(L, "print");
+  lua_pushfstring(L, "wrote %s (%d rows) and %s.json", file.c_str(), static_cast<int>(times.size()),
+                  file.c_str());
+  lua_call(L, 1, 0);
+  return {0};
+}
+
+constexpr const char* kPlot = "run:plot(what, {n=, every=, times=, title=, width=, height=})";
+Results plot_entry(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  const std::vector<std::string> names = names_at(L, 2);
+  const Options options(L, 3, kPlot);
+  PlotOptions look;
+  look.title = options.get<std::string>("title").value_or("");
+  look.width = static_cast<int>(options.get<std::size_t>("width").value_or(80));
+  look.height = static_cast<int>(options.get<std::size_t>("height").value_or(20));
+  const std::string picture = plot(*run, times_of(options, *run), Columns(names), look);
+  lua_getglobal(L, "print");
+  // print ends the line itself.
+  lua_pushlstring(L, picture.data(), picture.ends_with('\n') ? picture.size() - 1 : picture.size());
+  lua_call(L, 1, 0);
+  return {0};
+}
+
+double t0(const SharedRun& run) { return run->t0(); }
+double t1(const SharedRun& run) { return run->t1(); }
+Rotation from(const SharedRun& run) { return run->from(); }
+std::string method(const SharedRun& run) { return run->propagator().method; }
+std::string why(const SharedRun& run) { return run->propagator().why; }
+bool complete(const SharedRun& run) { return run->complete(); }
+double error_estimate(const SharedRun& run) { return run->propagator().error_estimate; }
+Cost cost(const SharedRun& run) { return run->propagator().cost; }
+Results crossings(lua_State* L) {
+  const std::vector<Crossing> list = argument<SharedRun>(L, 1)->crossings();
+  lua_createtable(L, static_cast<int>(list.size()), 0);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    lua_createtable(L, 0, 4);
+    lua_pushnumber(L, list[i].t);
+    lua_setfield(L, -2, "t");
+    lua_pushstring(L, list[i].through ? "through" : "back");
+    lua_setfield(L, -2, "kind");
+    lua_pushnumber(L, list[i].turn_before);
+    lua_setfield(L, -2, "turn_before");
+    lua_pushnumber(L, list[i].turn_after);
+    lua_setfield(L, -2, "turn_after");
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  return {1};
+}
+std::string text_of_run(const SharedRun& run) {
+  const Propagator& p = run->propagator();
+  std::string text = "run  t " + shown(run->t0()) + " .. " + shown(run->t1()) + "  " + p.method +
+                     " (" + p.why + ")\n     " + std::to_string(p.cost.steps) + " steps  " +
+                     std::to_string(p.cost.omega_calls) + " omega calls  error about " +
+                     rotor::text(p.error_estimate, 2);
+  if (!run->complete()) text += "\n     incomplete: " + p.stop->reason;
+  return text;
+}
+
+// Fields of a state.
+double state_t(const RunState& s) { return s.state.t; }
+double state_angle(const RunState& s) { return s.state.angle; }
+Vector state_axis(const RunState& s) { return s.state.axis; }
+Vector state_euler_vector(const RunState& s) { return s.state.euler_vector(); }
+Rotation state_rotation(const RunState& s) { return s.state.rotation(); }
+Quaternion state_quaternion(const RunState& s) { return s.state.quaternion; }
+Matrix state_matrix(const RunState& s) { return s.state.rotation().matrix(); }
+Vector state_omega(const RunState& s) { return s.run->omega(s.state.t); }
+Rates rates_of(const RunState& s) { return s.run->rates(s.state, s.run->omega(s.state.t)); }
+double state_angle_rate(const RunState& s) { return rates_of(s).angle_rate; }
+Vector state_axis_rate(const RunState& s) { return rates_of(s).axis_rate; }
+Vector state_euler_rate(const RunState& s) { return rates_of(s).euler_rate; }
+std::string text_of_state(const RunState& s) {
+  return "state  t " + shown(s.state.t) + "\n       " +
+         shown_axis_angle(s.state.axis, s.state.angle, 7);
+}
+
+std::size_t omega_calls(const Cost& c) { return c.omega_calls; }
+std::size_t steps(const Cost& c) { return c.steps; }
+std::size_t rejected(const Cost& c) { return c.rejected; }
+double seconds(const Cost& c) { return c.seconds; }
+std::string text_of_cost(const Cost& c) {
+  return "cost  " + std::to_string(c.omega_calls) + " omega calls  " + std::to_string(c.steps) +
+         " steps  " + std::to_string(c.rejected) + " rejected  " + rotor::text(c.seconds, 2) + " s";
+}
+
+#define ROTOR_RUN "evolve{omega = {0, 0, 1}, to = 10}"
+
+constexpr Entry kFunctions[] = {
+    {"evolve", bound<evolve_entry>, kEvolve,
+     "Follows a body that turns with the angular velocity omega: a vector (constant), or a "
+     "function of t alone "
+     "that returns three numbers (fast), a table or a vec; in the space frame, radians per unit of "
+     "t. from: the "
+     "rotation at the start (default identity). to: the end, from t = 0; or t = {t0, t1}, backward "
+     "too. "
+     "accuracy: the wanted bound on the rotation error over the whole run, rad (default 1e-10). "
+     "method: "
+     "\"auto\" (default), \"exact\" (constant omega), \"dop853\", or \"rk4\" with step. max_step "
+     "bounds the "
+     "step, max_steps their number (default a million). A run that stops early raises an error "
+     "object with "
+     ".reason, .t and .run, the run up to there.",
+     ROTOR_RUN "(7).angle --> 7.0"},
+};
+
+constexpr Entry kMethods[] = {
+    {"sample", bound<sample>, kSample,
+     "The states at n times from start to end (default 1000), at every so much, or at the given "
+     "times: a list.",
+     "#" ROTOR_RUN ":sample{n = 11} --> 11"},
+    {"csv", bound<csv>, kCsv,
+     "Writes the states at the times (as run:sample) as CSV, and where they come from as "
+     "FILE.json. columns: "
+     "names of quantities (\"axis\") or components (\"axis_x\"): t, angle, axis, euler_vector, "
+     "quaternion "
+     "(these by default), modified_gibbs, gibbs, mrp, matrix, omega, angle_rate, axis_rate, "
+     "euler_rate.",
+     ROTOR_RUN ":csv(\"/dev/null\", {n = 11}) --> "},
+    {"plot", bound<plot_entry>, kPlot,
+     "Draws quantities or components over t, as named for run:csv: one name or a list of names.",
+     ROTOR_RUN ":plot(\"angle\", {height = 5}) --> "},
+};
+
+constexpr Entry kFields[] = {
+    {"t0", bound<t0>, "run.t0 -> number", "Time of the start.", ROTOR_RUN ".t0 --> 0.0"},
+    {"t1", bound<t1>, "run.t1 -> number", "Time of the end, or the time reached.",
+     ROTOR_RUN ".t1 --> 10.0"},
+    {"from", bound<from>, "run.from -> rotation", "The rotation at the start.",
+     ROTOR_RUN ".from.angle --> 0.0"},
+    {"method", bound<method>, "run.method -> string", "The method that was used.",
+     ROTOR_RUN ".method --> \"exact\""},
+    {"why", bound<why>, "run.why -> string", "Why this method.",
+     ROTOR_RUN ".why --> \"constant omega, Theorem 4.1\""},
+    {"complete", bound<complete>, "run.complete -> boolean", "Whether the run reached its end.",
+     ROTOR_RUN ".complete --> true"},
+    {"error_estimate", bound<error_estimate>, "run.error_estimate -> number",
+     "Estimate of the rotation error anywhere in the run, rad: of the integration, with its "
+     "rounding.",
+     ROTOR_RUN ".error_estimate < 1e-14 --> true"},
+    {"cost", bound<cost>, "run.cost -> cost",
+     "What the integration took: .omega_calls .steps .rejected .seconds.",
+     ROTOR_RUN ".cost.steps --> 0"},
+    {"crossings", bound<crossings>, "run.crossings -> table",
+     "Where the angle passes a multiple of 2 pi: a list of {t, kind = \"through\" or \"back\", "
+     "turn_before, "
+     "turn_after}; in turn l the angle is between 2 pi l and 2 pi (l + 1).",
+     "#" ROTOR_RUN ".crossings --> 1"},
+};
+
+constexpr Entry kOperators[] = {
+    {"__call", bound<state_at>, "run(t) -> state",
+     "The state at t, with axis and angle that go on continuously; t outside the run is an error.",
+     ROTOR_RUN "(2).angle --> 2.0"},
+    {"__tostring", bound<text_of_run>, "tostring(run) -> string",
+     "The text under which the terminal shows it.", "#tostring(" ROTOR_RUN ") > 0 --> true"},
+};
+
+#define ROTOR_STATE ROTOR_RUN "(7)"
+
+constexpr Entry kStateFields[] = {
+    {"t", bound<state_t>, "state.t -> number", "The time.", ROTOR_STATE ".t --> 7.0"},
+    {"angle", bound<state_angle>, "state.angle -> number",
+     "Rotation angle theta, rad, continuous: turns are counted.", ROTOR_STATE ".angle --> 7.0"},
+    {"axis", bound<state_axis>, "state.axis -> vec", "Unit axis n, continuous.",
+     ROTOR_STATE ".axis --> vec(0.0, 0.0, 1.0)"},
+    {"euler_vector", bound<state_euler_vector>, "state.euler_vector -> vec",
+     "E = n theta, continuous.", ROTOR_STATE ".euler_vector --> vec(0.0, 0.0, 7.0)"},
+    {"rotation", bound<state_rotation>, "state.rotation -> rotation", "The rotation (axis, angle).",
+     ROTOR_STATE ".rotation.angle --> 7.0"},
+    {"quaternion", bound<state_quaternion>, "state.quaternion -> quaternion",
+     "Unit quaternion, continuous in t.", ROTOR_STATE ".quaternion.w < 0 --> true"},
+    {"matrix", bound<state_matrix>, "state.matrix -> matrix", "Matrix of the operator.",
+     ROTOR_STATE ".matrix[3][3] --> 1.0"},
+    {"omega", bound<state_omega>, "state.omega -> vec", "The angular velocity at t: calls omega.",
+     ROTOR_STATE ".omega --> vec(0.0, 0.0, 1.0)"},
+    {"angle_rate", bound<state_angle_rate>, "state.angle_rate -> number", "omega . n [P5].",
+     ROTOR_STATE ".angle_rate --> 1.0"},
+    {"axis_rate", bound<state_axis_rate>, "state.axis_rate -> vec",
+     "dn/dt [P5]; nan where the angle is a multiple of 2 pi, unless the axis is fixed.",
+     ROTOR_STATE ".axis_rate --> vec(0.0, 0.0, 0.0)"},
+    {"euler_rate", bound<state_euler_rate>, "state.euler_rate -> vec", "dE/dt [P7].",
+     ROTOR_STATE ".euler_rate --> vec(0.0, 0.0, 1.0)"},
+};
+constexpr Entry kStateOperators[] = {
+    {"__tostring", bound<text_of_state>, "tostring(state) -> string",
+     "The text under which the terminal shows it.", "#tostring(" ROTOR_STATE ") > 0 --> true"},
+};
+
+constexpr Entry kCostFields[] = {
+    {"omega_calls", bound<omega_calls>, "cost.omega_calls -> number", "Calls of omega.",
+     ROTOR_RUN ".cost.omega_calls --> 0"},
+    {"steps", bound<steps>, "cost.steps -> number", "Steps taken.", ROTOR_RUN ".cost.steps --> 0"},
+    {"rejected", bound<rejected>, "cost.rejected -> number", "Steps tried and given up.",
+     ROTOR_RUN ".cost.rejected --> 0"},
+    {"seconds", bound<seconds>, "cost.seconds -> number", "Seconds by the clock.",
+     ROTOR_RUN ".cost.seconds < 60 --> true"},
+};
+constexpr Entry kCostOperators[] = {
+    {"__tostring", bound<text_of_cost>, "tostring(cost) -> string",
+     "The text under which the terminal shows it.", "#tostring(" ROTOR_RUN ".cost) > 0 --> true"},
+};
+
+constexpr Group kGroups[] = {
+    {"", Kind::kFunction, kFunctions},     {"run", Kind::kField, kFields},
+    {"run", Kind::kMethod, kMethods},      {"run", Kind::kOperator, kOperators},
+    {"state", Kind::kField, kStateFields}, {"state", Kind::kOperator, kStateOperators},
+    {"cost", Kind::kField, kCostFields},   {"cost", Kind::kOperator, kCostOperators},
+};
+
+}  // namespace
+
+std::span<const Group> run_groups() { return kGroups; }
+
+}  // namespace rotor::script
