@@ -18,7 +18,7 @@ return {
     summary = "Runs f and prints the checks that it makes (near, holds, fails) as a table: predicted, measured, "
       .. "difference, tolerance, PASS or FAIL. A script in which a theorem failed ends with status 1; "
       .. "rotor --test prints one TAP line for each theorem. A theorem that checks nothing fails.",
-    example = 'theorem("half turns", function() near(180*deg, math.pi, 1e-15, "180 degrees") end)' },
+    example = 'theorem("half", function() near(180*deg, pi, 1e-15, "180 degrees") end)' },
   { owner = "", name = "near", kind = "function", result = "nil", value = testing("near"),
     signature = "near(predicted, measured, tolerance, what)",
     summary = "Checks that the difference is at most the tolerance: of two numbers its magnitude, of vectors, "

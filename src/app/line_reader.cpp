@@ -1,6 +1,7 @@
 #include "app/line_reader.hpp"
 
-// readline.h needs FILE.
+#include <cstdio>  // readline.h needs FILE
+
 #include <poll.h>
 #include <readline/history.h>
 #include <readline/readline.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>

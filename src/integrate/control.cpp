@@ -13,6 +13,7 @@ double ErrorBudget::allowed(double h, double done) const {
 
 double step_factor(double error, double allowed, double exponent) {
   if (error == 0) return 5;
+  if (!std::isfinite(error) || !(allowed > 0)) return 0.2;
   return std::clamp(0.9 * std::pow(allowed / error, 1 / exponent), 0.2, 5.0);
 }
 

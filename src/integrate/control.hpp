@@ -1,6 +1,8 @@
 // Step control as pure functions.
 #pragma once
 
+#include <algorithm>
+
 namespace rotor {
 
 /// What may be spent on the error of a run, handed out over its interval.
@@ -19,7 +21,7 @@ class ErrorBudget {
   /// The largest error that a step of size h ending at `done` (the way done, h included) may have.
   double allowed(double h, double done) const;
   void spend(double error) { spent_ += error; }
-  double left() const { return accuracy_ - spent_; }
+  double left() const { return std::max(0.0, accuracy_ - spent_); }
 
  private:
   double accuracy_;
@@ -28,7 +30,8 @@ class ErrorBudget {
 };
 
 /// Factor from this step's size to the next's: the error of a step goes with the power `exponent`
-/// of its size; between 1/5 and 5, aiming at 0.9 of the size that would just be allowed.
+/// of its size; between 1/5 and 5, aiming at 0.9 of the size that would just be allowed; 1/5 for an
+/// error that is not a number.
 double step_factor(double error, double allowed, double exponent);
 
 }  // namespace rotor

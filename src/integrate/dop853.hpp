@@ -16,11 +16,14 @@ namespace rotor {
 
 /// What fifteen values on the distinct nodes x of a step and its dense output say of a function.
 struct NodeQuadrature {
-  /// sum_i weights_i p(x_i) = the integral of p over [0, 1] for every polynomial p of degree 9; the
-  /// weights of least norm.
-  Eigen::Matrix<double, 1, 15> weights;
+  /// Row by row: sum_i weights_i p(x_i) = the integral of p from 0 to 1, 1/8, 2/8 ... 7/8 for every
+  /// polynomial p of degree 9; the weights of least norm.
+  Eigen::Matrix<double, 8, 15> weights;
   /// Orthonormal rows that annihilate the polynomials of degree 9: what is left is not smooth.
   Eigen::Matrix<double, 5, 15> residual;
+  /// The greatest error of the integral over [0, 1] of a function with a jump, wherever it is, in
+  /// units of the norm of its residual.
+  double jump;
 };
 const NodeQuadrature& node_quadrature();
 
@@ -32,10 +35,14 @@ const NodeQuadrature& node_quadrature();
 /// angular velocity w~ that it really has against the samples w. By [theory 4.9] the error of the
 /// step is the integral of R~^T (w~ - w), seen from the body. The defect is a polynomial of degree
 /// 7 in its leading order h^7, 8 in the next, 9 in the third; the true local error is of order h^9,
-/// so a quadrature of degree 9 has it with an error O(h^2). One of degree 8 beside it shows where
-/// omega is not smooth enough for that: the difference is added to the error that steps are judged
-/// by. The classical estimate by embedded methods of order 5 and 3 is 20 to 500 times too large but
-/// stands further above rounding; where it is the smaller one, it decides.
+/// so a quadrature of degree 9 has it with an error O(h^2). What the defect has beyond degree 9
+/// shows where omega is not smooth enough for that, and is added to the error that steps are judged
+/// by.
+///
+/// Where that is lost in rounding, the classical estimate by embedded methods of order 5 and 3
+/// decides: for short steps it is 20 to 500 times too large, and so stands further above rounding.
+/// There the method's weights, of square sum 57, have amplified the rounding of the samples, and
+/// those of the quadrature have not: such a step is corrected by the error found.
 template <class Equation>
 class Dop853 {
  public:
@@ -45,7 +52,8 @@ class Dop853 {
       : omega_(omega),
         sum_(start),
         dense_(t0, 7),
-        budget_(accuracy, std::abs(t1 - t0)),
+        budget_(0.75 * accuracy, std::abs(t1 - t0)),
+        between_nodes_(0.25 * accuracy),
         t0_(t0),
         t1_(t1),
         max_step_(std::min(max_step, std::abs(t1 - t0))) {}
@@ -64,26 +72,42 @@ class Dop853 {
     const Value y0 = sum_.value();
     std::array<Vector, 12> stage_omega;
     std::copy_n(omega.begin(), 12, stage_omega.begin());
-    const auto k = stages<Equation>(kDop853, stage_omega, y0, h);
+    const auto k = stages<Equation>(kDop853Tableau, stage_omega, y0, h);
     CompensatedSum<Value> sum = sum_;
-    sum.add(h * weighted_sum(kDop853.b, k));
+    sum.add(h * weighted_sum(kDop853Tableau.b, k));
     sum.add(Equation::restoring(sum.value()));
     const auto piece = dense_piece(y0, sum.value(), omega, k, h);
-    const StepError error = error_of(y0, piece, omega, h);
+    const double rounding = RoundingError::of_step(t_next, h, omega[0], omega[11]);
+    const StepError error = error_of(y0, piece, omega, h, rounding);
 
-    double judged = error.vector.norm() + error.doubt;
-    if (judged < 16 * RoundingError::of_step(t_next, h, omega[0], omega[11])) {
-      judged = std::min(judged, embedded_error(y0, k, h));
-    }
-    const double allowed = allowed_error(t, t_next, omega[0], omega[11]);
-    h_ = std::min(std::abs(h) * step_factor(judged, allowed, kDop853.order), max_step_);
-    if (!(judged <= allowed)) return false;
+    double judged = error.at_end().norm() + error.doubt;
+    if (error.lost_in_rounding) judged = std::min(judged, embedded_error(y0, k, h, rounding));
+    const double allowed =
+        allowed_error(t, t_next, rounding, std::max(norm(omega[0]), norm(omega[11])));
+    const double between = error.greatest_between();
+    // Between nodes rounding is larger: the weights of F4 and F5 reach 480 and 690 (roots of their
+    // square sums), their factors x^3 x'^2 and x^3 x'^3 at most 1/29 and 1/64: 20 roundings, six
+    // times that at the worst.
+    const double between_allowed = std::max({between_nodes_, allowed, 128 * rounding});
+    const double factor = std::min(step_factor(judged, allowed, kDop853Tableau.order),
+                                   step_factor(between, between_allowed, kDop853Tableau.order));
+    h_ = std::min(std::abs(h) * factor, max_step_);
+    // The shortest step is tried before the run is given up.
+    if (std::abs(h) > 2 * shortest_step(t)) h_ = std::max(h_, 1.5 * shortest_step(t));
+    if (!(judged <= allowed && between <= between_allowed)) return false;
 
     budget_.spend(judged);
-    error_ += error.vector;
-    greatest_ = std::max(greatest_, error_.norm());
-    doubt_ = std::hypot(doubt_, error.doubt);
-    rounding_.add_step(t_next, h, omega[0], omega[11]);
+    for (Eigen::Index i = error.lost_in_rounding ? 1 : 0; i < 8; ++i) {
+      greatest_ = std::max(greatest_, (error_ + error.integrals.row(i).transpose()).norm());
+    }
+    if (error.lost_in_rounding) {
+      sum.add(Equation::turning(sum.value(), -error.at_end()));
+      rounding_.add(rounding, node_quadrature().weights.row(0).squaredNorm());
+    } else {
+      error_ += error.at_end();
+      doubt_ += error.doubt;
+      rounding_.add(rounding, sum_of_squares(kDop853Tableau.b));
+    }
     sum_ = sum;
     omega_.set_node(t_next, omega[11]);
     dense_.append(t_next, y0, piece);
@@ -92,7 +116,7 @@ class Dop853 {
 
   const DenseOutput<Value>& dense() const { return dense_; }
 
-  /// The greatest error at a node with its own uncertainty, and rounding.
+  /// The greatest error at the nodes and between with its own uncertainty, and rounding.
   double error_estimate() const { return greatest_ + doubt_ + rounding_.estimate(); }
 
  private:
@@ -100,7 +124,8 @@ class Dop853 {
   // soon finds the right size, rejection the other way.
   double first_step() {
     const double rate = norm(omega_.at_node(t0_));
-    return std::min({max_step_, 1e-3 * std::abs(t1_ - t0_), 0.01 / rate});
+    const double step = std::min({max_step_, 1e-3 * std::abs(t1_ - t0_), 0.01 / rate});
+    return std::max({step, 4 * shortest_step(t0_), std::numeric_limits<double>::denorm_min()});
   }
 
   // omega at the twelve nodes of the step and the three of its dense output. The nodes are rounded
@@ -110,12 +135,12 @@ class Dop853 {
     std::array<Vector, 15> omega;
     omega[0] = omega_.at_node(t);
     omega[11] = omega_(t_next);
-    const Vector rate = (omega[11] - omega[0]) / h;
+    const Vector change = omega[11] - omega[0];
     for (std::size_t i = 1; i < 15; ++i) {
       if (i == 11) continue;
-      const double c = i < 12 ? kDop853.c[i] : kDop853DenseC[i - 12];
+      const double c = i < 12 ? kDop853Tableau.c[i] : kDop853DenseC[i - 12];
       const double node = t + c * h;
-      omega[i] = omega_(node) + rate * std::fma(c, h, t - node);
+      omega[i] = omega_(node) + change * (std::fma(c, h, t - node) / h);
     }
     return omega;
   }
@@ -129,52 +154,74 @@ class Dop853 {
     for (std::size_t i = 0; i < 3; ++i) {
       k[13 + i] = Equation::rate(omega[12 + i], y0 + h * weighted_sum(kDop853DenseA[i], k, 13 + i));
     }
-    const Value f0 = h * weighted_sum(kDop853.b, k);
+    const Value f0 = h * weighted_sum(kDop853Tableau.b, k);
     std::array<Value, 7> f{f0, h * k[0] - f0, 2 * f0 - h * (k[0] + k[12])};
     for (std::size_t m = 0; m < 4; ++m) f[3 + m] = h * weighted_sum(kDop853DenseD[m], k);
     return f;
   }
 
-  double allowed_error(double t, double t_next, const Vector& omega0, const Vector& omega1) const {
+  double allowed_error(double t, double t_next, double rounding, double rate) const {
     const double h = std::abs(t_next - t);
-    // A jump of omega falls within some shortest step: that one may take all that is left.
-    if (h <= 2 * shortest_step(t)) return budget_.left();
-    // Far below the rounding of the step nothing is gained: rounding adds at random, error in one
+    if (h <= 2 * shortest_step(t)) {
+      // A jump of omega falls within some shortest step, and t resolves it no better: a small turn
+      // is then an error to be stated, a larger one may take all that is left.
+      return h * rate < 1e-8 ? std::numeric_limits<double>::infinity() : budget_.left();
+    }
+    // Far below the rounding of a step nothing is gained: rounding adds at random, error in one
     // direction.
-    const double rounding = RoundingError::of_step(t_next, h, omega0, omega1) / 64;
-    return std::max(budget_.allowed(h, std::abs(t_next - t0_)), rounding);
+    return std::max(budget_.allowed(h, std::abs(t_next - t0_)), rounding / 64);
   }
 
-  // Hairer's combination, O(h^8).
-  static double embedded_error(const Value& y, const std::array<Value, 12>& k, double h) {
-    const double e5 = Equation::rotation_error(y, h * weighted_sum(kDop853Error5, k));
+  // Hairer's combination, O(h^8); what of e5 is rounding (its weights have the square sum 5) is no
+  // error.
+  static double embedded_error(const Value& y, const std::array<Value, 12>& k, double h,
+                               double rounding) {
+    const double e5 =
+        Equation::rotation_error(y, h * weighted_sum(kDop853Error5, k)) - 4 * rounding;
     const double e3 = Equation::rotation_error(y, h * weighted_sum(kDop853Error3, k));
-    return e5 == 0 ? 0 : e5 * (e5 / std::hypot(e5, 0.1 * e3));
+    return e5 <= 0 ? 0 : e5 * (e5 / std::hypot(e5, 0.1 * e3));
   }
 
   struct StepError {
-    Vector vector;  // a rotation vector in the body frame
-    double doubt;   // what of the defect is not smooth
+    // Rotation vectors in the body frame: at 1, 1/8, 2/8, ... 7/8 of the step.
+    Eigen::Matrix<double, 8, 3> integrals;
+    double doubt;  // what a jump of omega could have hidden
+    bool lost_in_rounding;
+
+    Vector at_end() const { return integrals.row(0).transpose(); }
+    double greatest_between() const {
+      return integrals.bottomRows<7>().rowwise().norm().maxCoeff();
+    }
   };
 
   static StepError error_of(const Value& y0, const std::array<Value, 7>& piece,
-                            const std::array<Vector, 15>& omega, double h) {
+                            const std::array<Vector, 15>& omega, double h, double rounding) {
     Eigen::Matrix<double, 15, 3> defect;
     for (std::size_t i = 0; i < 15; ++i) {
-      const double x = i < 12 ? kDop853.c[i] : kDop853DenseC[i - 12];
+      const double x = i < 12 ? kDop853Tableau.c[i] : kDop853DenseC[i - 12];
       const auto y = evaluate_piece(y0, piece.data(), piece.size(), x);
       defect.row(static_cast<Eigen::Index>(i)) =
           Equation::body_error(y.value, y.slope - h * Equation::rate(omega[i], y.value));
     }
     const NodeQuadrature& quadrature = node_quadrature();
-    return {(quadrature.weights * defect).transpose(), (quadrature.residual * defect).norm()};
+    StepError error;
+    error.integrals = quadrature.weights * defect;
+    // A defect of rounding is a few roundings of h omega, its residual sqrt(5) times that. No jump
+    // can hide more than the defect itself, over the whole step; a fifth more for what it is
+    // between the nodes.
+    const double residual = (quadrature.residual * defect).norm();
+    error.doubt = std::min(quadrature.jump * std::max(0.0, residual - 8 * rounding),
+                           1.2 * defect.rowwise().norm().maxCoeff());
+    error.lost_in_rounding = error.at_end().norm() + residual < 16 * rounding;
+    return error;
   }
 
   Sampler omega_;
   CompensatedSum<Value> sum_;
   DenseOutput<Value> dense_;
   ErrorBudget budget_;
-  RoundingError rounding_{kDop853.b};
+  double between_nodes_;  // what the error may exceed that at the nodes by
+  RoundingError rounding_;
   double t0_;
   double t1_;
   double max_step_;

@@ -25,7 +25,7 @@
 
 namespace rotor {
 
-inline constexpr Tableau<12> kDop853 = {
+inline constexpr Tableau<12> kDop853Tableau = {
     .c = {0, 0.05260015195876773, 0.0789002279381516, 0.1183503419072274, 0.2816496580927726,
           0.3333333333333333, 0.25, 0.3076923076923077, 0.6512820512820513, 0.6, 0.8571428571428571,
           1},
@@ -59,7 +59,7 @@ inline constexpr std::array<double, 12> kDop853Error5 = {
 
 /// y1 against a method of order 3 that uses k_0, k_8 and k_11 alone.
 inline constexpr std::array<double, 12> kDop853Error3 = [] {
-  auto difference = kDop853.b;
+  auto difference = kDop853Tableau.b;
   difference[0] -= 31.0 / 127;
   difference[8] -= 12675.0 / 17272;
   difference[11] -= 3.0 / 136;

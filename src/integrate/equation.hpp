@@ -30,8 +30,16 @@ struct QuaternionEquation {
     return 2 * (q.w() * dq.head<3>() - dq.w() * q.head<3>() - q.head<3>().cross(dq.head<3>()));
   }
 
-  /// What must be added to q, of norm 1 + small, to bring it back to the unit sphere.
-  static Value restoring(const Value& q) { return -0.5 * (q.squaredNorm() - 1) * q; }
+  /// What must be added to q to turn it by the small rotation vector v of the body frame: q v / 2.
+  static Value turning(const Value& q, const Vector& v) {
+    Value dq;
+    dq.head<3>() = 0.5 * (q.w() * v + q.head<3>().cross(v));
+    dq.w() = -0.5 * q.head<3>().dot(v);
+    return dq;
+  }
+
+  /// What must be added to q to bring it back to the unit sphere.
+  static Value restoring(const Value& q) { return q * (1 / q.norm() - 1); }
 };
 
 }  // namespace rotor

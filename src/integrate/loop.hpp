@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "rotation/text.hpp"
@@ -24,9 +25,16 @@ struct Cost {
   double seconds = 0;
 };
 
+/// A step whose result is no longer a finite number.
+class StepOverflow : public std::overflow_error {
+ public:
+  using std::overflow_error::overflow_error;
+};
+
 /// Why a run ended before its end.
 struct Stop {
-  std::string reason;        // "interrupted", "step limit", "step underflow", "omega failed"
+  // "interrupted", "step limit", "step underflow", "step overflow", "omega failed"
+  std::string reason;
   double t = 0;              // the time reached
   std::string message;       // for people
   std::exception_ptr cause;  // what omega threw, if it did
@@ -57,10 +65,12 @@ std::optional<Stop> integrate(Method& method, double t0, double t1, std::size_t 
       }
       const double t_next = method.next(t);
       if (t_next == t || (t_next != t1 && std::abs(t_next - t) < shortest_step(t))) {
-        return Stop{"step underflow", t,
-                    "step underflow: the step fell to " + text(t_next - t, 2) +
-                        ", below what t can resolve: omega jumps there, or is not smooth",
-                    nullptr};
+        return Stop{
+            "step underflow", t,
+            "step underflow: a step of " + text(t_next - t, 2) +
+                " is below what t resolves there (where steps adapt: omega jumps, or is not "
+                "smooth)",
+            nullptr};
       }
       if (method.step(t, t_next)) {
         ++cost.steps;
@@ -69,6 +79,8 @@ std::optional<Stop> integrate(Method& method, double t0, double t1, std::size_t 
         ++cost.rejected;
       }
     }
+  } catch (const StepOverflow& error) {
+    return Stop{"step overflow", t, error.what(), nullptr};
   } catch (const std::exception& error) {
     return Stop{"omega failed", t, error.what(), std::current_exception()};
   }

@@ -84,8 +84,8 @@ void rk4(const Scene& scene, const Observer& observer, Propagator& result) {
   const double count =
       std::max(2.0, std::ceil(std::abs(scene.t1 - scene.t0) / *scene.step * (1 - 1e-12)));
   require(count <= static_cast<double>(scene.max_steps),
-          "step = " + text(*scene.step) + " makes " + text(count, 3) +
-              " steps, more than max_steps = " + std::to_string(scene.max_steps));
+          "step = " + text(*scene.step) +
+              " makes more than max_steps = " + std::to_string(scene.max_steps) + " steps");
   run(Rk4<QuaternionEquation>(Sampler(scene.omega, result.cost), kIdentity, scene.t0, scene.t1,
                               static_cast<std::size_t>(count)),
       scene, observer, result);

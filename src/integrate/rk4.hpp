@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "integrate/dense.hpp"
 #include "integrate/sampler.hpp"
@@ -40,18 +41,26 @@ class Rk4 {
     omega_.set_node(t_next, end);
 
     const Value y0 = sum_.value();
-    const auto k = stages<Equation>(kRk4, std::array{start, middle, middle, end}, y0, h);
-    sum_.add(h * weighted_sum(kRk4.b, k));
+    const auto k = stages<Equation>(kRk4Tableau, std::array{start, middle, middle, end}, y0, h);
+    sum_.add(h * weighted_sum(kRk4Tableau.b, k));
     sum_.add(Equation::restoring(sum_.value()));
     const Value& y1 = sum_.value();
+    if (!y1.allFinite()) {
+      throw StepOverflow("step overflow: step = " + text(h, 3) +
+                         " is far too long for |omega| = " + text(norm(start), 3));
+    }
     const Value f0 = y1 - y0;
     const Value slope1 = Equation::rate(end, y1);
     dense_.append(t_next, y0,
                   std::array<Value, 3>{f0, h * k[0] - f0, 2 * f0 - h * (k[0] + slope1)});
 
-    rounding_.add_step(t_next, h, start, end);
+    rounding_.add(RoundingError::of_step(t_next, h, start, end), sum_of_squares(kRk4Tableau.b));
     const Value third = 4 / h * (k[0] - k[1] - k[2] + slope1);  // h times the third derivative
+    // The first step alone has nothing to be compared with but the midpoint method, of order 2.
+    if (dense_.pieces() == 1) alone_ = Equation::rotation_error(y0, f0 - h * k[1]);
     if (dense_.pieces() > 1) add_errors(t_next, start, end, third);
+    // Beyond its limit of stability (2.8 for the slope omega/2) the method says nothing.
+    if (std::abs(h) * std::max({norm(start), norm(middle), norm(end)}) > 5.6) useless_ = true;
     before_ = {t, y0, start, third};
     return true;
   }
@@ -59,7 +68,10 @@ class Rk4 {
   const DenseOutput<Value>& dense() const { return dense_; }
 
   /// The greatest error at a node, of the interpolation between nodes, and of rounding, together.
-  double error_estimate() const { return greatest_ + interpolation_ + rounding_.estimate(); }
+  double error_estimate() const {
+    if (useless_) return std::numbers::pi;
+    return (dense_.pieces() == 1 ? alone_ : greatest_ + interpolation_) + rounding_.estimate();
+  }
 
  private:
   struct Before {
@@ -72,7 +84,7 @@ class Rk4 {
   void add_errors(double t_next, const Vector& middle, const Vector& end, const Value& third) {
     const Value& y = sum_.value();
     const Value coarse =
-        before_.y + increment<Equation>(kRk4, std::array{before_.omega, middle, middle, end},
+        before_.y + increment<Equation>(kRk4Tableau, std::array{before_.omega, middle, middle, end},
                                         before_.y, t_next - before_.t);
     last_ = Equation::body_error(y, (y - coarse) / 15);
     if (dense_.pieces() == 2) first_ = last_;
@@ -87,7 +99,7 @@ class Rk4 {
   Sampler omega_;
   CompensatedSum<Value> sum_;
   DenseOutput<Value> dense_;
-  RoundingError rounding_{kRk4.b};
+  RoundingError rounding_;
   double t0_;
   double t1_;
   std::size_t n_;
@@ -96,6 +108,8 @@ class Rk4 {
   Vector first_ = Vector::Zero();  // e_1
   Vector last_ = Vector::Zero();
   double greatest_ = 0;
+  double alone_ = 0;
+  bool useless_ = false;
   double interpolation_ = 0;
 };
 

@@ -48,20 +48,15 @@ class Sampler {
 /// d^2/3; a step h sum b_i omega_i makes h^2 sum b_i^2 times that of it.
 class RoundingError {
  public:
-  template <std::size_t S>
-  explicit RoundingError(const std::array<double, S>& weights) {
-    for (const double b : weights) amplification_ += b * b;
-  }
-
-  /// The half-width of one step of length h ending at t, for weights of square sum 1.
+  /// The half-width for one step of length h ending at t, were its weights of square sum 1.
   static double of_step(double t, double h, const Vector& omega0, const Vector& omega1) {
     constexpr double u = std::numeric_limits<double>::epsilon() / 2;
     return u * (std::abs(h) * std::max(norm(omega0), norm(omega1)) +
                 std::abs(t) * norm(omega1 - omega0));
   }
-  void add_step(double t, double h, const Vector& omega0, const Vector& omega1) {
-    const double width = of_step(t, h, omega0, omega1);
-    variance_ += amplification_ * width * width / 3;
+  /// A step of that half-width, by a method whose weights have this sum of squares.
+  void add(double of_step, double squares_of_weights) {
+    variance_ += squares_of_weights * of_step * of_step / 3;
   }
   /// Three standard deviations, and the rounding of the value that is read: 4 components of half an
   /// ulp.
@@ -70,7 +65,6 @@ class RoundingError {
   }
 
  private:
-  double amplification_ = 0;
   double variance_ = 0;
 };
 

@@ -16,10 +16,17 @@ struct Tableau {
   int order;                               ///< the error of one step is O(h^(order+1))
 };
 
+template <std::size_t S>
+constexpr double sum_of_squares(const std::array<double, S>& weights) {
+  double sum = 0;
+  for (const double b : weights) sum += b * b;
+  return sum;
+}
+
 /// The classical method of Kutta (1901), the one of the paper.
-inline constexpr Tableau<4> kRk4 = {.c = {0, 1.0 / 2, 1.0 / 2, 1},
-                                    .a = {{{}, {1.0 / 2}, {0, 1.0 / 2}, {0, 0, 1}}},
-                                    .b = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6},
-                                    .order = 4};
+inline constexpr Tableau<4> kRk4Tableau = {.c = {0, 1.0 / 2, 1.0 / 2, 1},
+                                           .a = {{{}, {1.0 / 2}, {0, 1.0 / 2}, {0, 0, 1}}},
+                                           .b = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6},
+                                           .order = 4};
 
 }  // namespace rotor

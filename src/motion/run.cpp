@@ -64,11 +64,8 @@ Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from)
   double_turns_ = std::nearbyint((from.angle() - psi) / (2 * kTwoPi));
 
   if (const FixedTurn* turn = propagator_.fixed_turn()) {
-    if (start_.vec().isZero(0) && turn->rate != 0 && from_.angle() == 0) {
-      // From the identity the body turns about omega, whatever axis the start was given, unless
-      // that axis is its opposite.
-      if (axis_.dot(turn->direction) > -1 + kEpsilon) axis_ = turn->direction;
-    }
+    // From the identity the body turns about omega, whatever axis it was given.
+    if (from_.angle() == 0 && turn->rate != 0) axis_ = turn->direction;
     if (turn->rate == 0) {
       fixed_axis_ = 1;
     } else if (axis_.cross(turn->direction).norm() <= 2 * kEpsilon) {
@@ -98,28 +95,58 @@ State Run::operator()(double t) const {
     return state;
   }
   double turn = first_turn_;
-  const double forward = t1() >= t0() ? 1 : -1;
   for (const Crossing& crossing : crossings_) {
-    if ((t - crossing.t) * forward <= 0) break;
+    if ((t - crossing.t) * forward() <= 0) break;
     turn = crossing.turn_after;
   }
-  const Vector m = state.quaternion.vec();
-  const double size = norm(m);
-  if (size != 0) {
-    state.axis = (unit(m) * sign_of_turn(turn)).array() + 0.0;  // no -0
-  } else {
-    // n is the limit of M/|M| on the way from here [Lemma 5.3, i = 0].
-    const Vector rate = omega_(t) * (forward * state.quaternion.w() * sign_of_turn(turn));
-    state.axis = rate.isZero(0) ? axis_ : unit(rate);
-  }
-  if (t == t0()) {
+  if (t == t0() && from_.angle() != 0) {
+    state.axis = from_.axis();
     state.angle = from_.angle();
-    if (size != 0) state.axis = from_.axis();
-  } else {
-    state.angle = static_cast<double>(double_turns_ * 2 * kTwoPi +
-                                      angle_in_turn(turn, state.quaternion.w(), size));
+    return state;
   }
+  state.axis = axis_at(t, state.quaternion, turn);
+  state.angle = static_cast<double>(
+      double_turns_ * 2 * kTwoPi +
+      angle_in_turn(turn, state.quaternion.w(), Extended{norm(state.quaternion.vec())}));
   return state;
+}
+
+Vector Run::axis_at(double t, const Quaternion& q, double turn) const {
+  const Vector m = q.vec();
+  const double size = norm(m);
+  if (size <= propagator_.error_estimate && !crossings_.empty()) {
+    // Beside a zero of M its direction is lost in the error; the limit there is known.
+    const auto nearest =
+        std::min_element(crossings_.begin(), crossings_.end(),
+                         [t](auto& a, auto& b) { return std::abs(a.t - t) < std::abs(b.t - t); });
+    // The start may be such a zero too: its M is as good as its distance in time.
+    if (std::abs(nearest->t - t) <= std::abs(t0() - t)) return nearest->axis;
+  }
+  if (size != 0) return (unit(m) * sign_of_turn(turn)).array() + 0.0;  // no -0
+  // At the identity n goes on along omega; where that says nothing, the axis given stays.
+  const Vector direction = forward() * direction_of_omega(t);
+  return direction.isZero(0) ? axis_ : direction;
+}
+
+// Zero where omega is zero or cannot be had: asking for a state must not fail on it.
+Vector Run::direction_of_omega(double t) const {
+  try {
+    const Vector omega = omega_(t);
+    return omega.isZero(0) ? omega : unit(omega);
+  } catch (const std::exception&) {
+    return Vector::Zero();
+  }
+}
+
+// The limit of n at a zero of M, from n beside it and omega there: where omega is not zero (i = 0),
+// it is along omega [Lemma 5.3].
+Vector Run::limit_of_axis(double t, const Vector& before, const Vector& after,
+                          double turn_after) const {
+  const Vector between = before + after;
+  const Vector along = (forward() * sign_of_turn(turn_after) * (quaternion(t).w() > 0 ? 1 : -1)) *
+                       direction_of_omega(t);
+  if (along.dot(between) > 0.9 * between.norm() || between.isZero(0)) return along;
+  return unit(between);
 }
 
 Rates Run::rates(const State& state, const Vector& omega) const {
@@ -168,7 +195,7 @@ std::vector<Crossing> Run::crossings() const {
     const auto turn = static_cast<double>(k);
     const double t =
         static_cast<double>(t0() + (kTwoPi * k - from_.angle()) / (fixed_axis_ * fixed->rate));
-    result.push_back({t, true, up > 0 ? turn - 1 : turn, up > 0 ? turn : turn - 1});
+    result.push_back({t, true, up > 0 ? turn - 1 : turn, up > 0 ? turn : turn - 1, axis_});
   }
   return result;
 }
@@ -204,17 +231,35 @@ void Run::find_crossings() {
   }
 
   double turn = first_turn_;
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    const auto [ta, ma] = samples[i - 1];
-    const auto [tb, mb] = samples[i + 1];
-    if (samples[i].second > ma || samples[i].second >= mb) continue;
+  const auto look_between = [&](double ta, double tb) {
+    const Vector a = m(ta);
+    const Vector b = m(tb);
     const double t = minimise([&](double s) { return m(s).norm(); }, ta, tb);
-    if (!is_zero_of_m({ta, t, tb}, {ma, m(t).norm(), mb})) continue;
+    if (!is_zero_of_m({ta, t, tb}, {a.norm(), m(t).norm(), b.norm()})) return;
     // M itself tells the case [theory 3]: it went through the origin, or turned back.
-    const bool through = m(ta).dot(m(tb)) < 0;
+    const bool through = a.dot(b) < 0;
     const double step = !through ? 0 : sign_of_turn(turn) * quaternion(t).w() < 0 ? 1 : -1;
-    crossings_.push_back({t, through, turn, turn + step});
+    const Vector axis = limit_of_axis(t, sign_of_turn(turn) * a.normalized(),
+                                      sign_of_turn(turn + step) * b.normalized(), turn + step);
+    crossings_.push_back({t, through, turn, turn + step, axis});
     turn += step;
+  };
+  const std::size_t last = samples.size() - 1;
+  for (std::size_t i = 0; i <= last && last > 0; ++i) {
+    const auto [t, size] = samples[i];
+    if (i > 0 && i < last) {
+      if (size <= samples[i - 1].second && size < samples[i + 1].second) {
+        look_between(samples[i - 1].first, samples[i + 1].first);
+      }
+    } else {
+      // A zero beside an end of the run: |M| is least at the end sample itself, and M has turned
+      // round.
+      const std::size_t first = i == 0 ? 0 : last - 1;
+      const double beside = samples[i == 0 ? 1 : first].first;
+      if (size <= samples[i == 0 ? 1 : first].second && m(t).dot(m(beside)) < 0) {
+        look_between(samples[first].first, samples[first + 1].first);
+      }
+    }
   }
 }
 

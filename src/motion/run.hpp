@@ -35,6 +35,7 @@ struct Crossing {
   bool through;        // into the neighbouring interval; else theta turned back
   double turn_before;  // the integer l with 2 pi l <= theta <= 2 pi (l + 1)
   double turn_after;
+  Vector axis;  // the limit of n there
 };
 
 /// A motion: propagator and start.
@@ -61,10 +62,15 @@ class Run {
 
  private:
   Quaternion quaternion(double t) const { return propagator_(t) * start_; }
+  double forward() const { return t1() >= t0() ? 1 : -1; }
   // The angle about the fixed axis of the start, for a motion that has one; in extended precision.
   Extended fixed_axis_angle(double t) const;
   void find_crossings();
   bool is_zero_of_m(const double (&t)[3], const double (&m)[3]) const;
+  Vector axis_at(double t, const Quaternion& q, double turn) const;
+  Vector limit_of_axis(double t, const Vector& before, const Vector& after,
+                       double turn_after) const;
+  Vector direction_of_omega(double t) const;
 
   AngularVelocity omega_;
   Propagator propagator_;

@@ -40,7 +40,7 @@ Json provenance(const Run& run, std::size_t rows, const Columns& columns,
 
 }  // namespace
 
-void write_csv(const Run& run, std::span<const double> times, const Columns& columns,
+bool write_csv(const Run& run, std::span<const double> times, const Columns& columns,
                const std::filesystem::path& file, const std::string& scene) {
   CsvWriter writer(file, columns.headers());
   std::vector<double> values;
@@ -50,11 +50,11 @@ void write_csv(const Run& run, std::span<const double> times, const Columns& col
     writer.row(values);
   }
   writer.commit();
+  if (!std::filesystem::is_regular_file(file)) return false;
   std::filesystem::path json = file;
   json += ".json";
-  if (std::filesystem::is_regular_file(file)) {
-    write_file(json, provenance(run, times.size(), columns, scene).text() + "\n");
-  }
+  write_file(json, provenance(run, times.size(), columns, scene).text() + "\n");
+  return true;
 }
 
 std::string plot(const Run& run, std::span<const double> times, const Columns& columns,

@@ -8,17 +8,22 @@
 
 namespace rotor::script {
 
-/// Puts the stack back to its height when it goes.
+/// Puts the stack back to its height when it goes; not when an exception passes, as the value of a Lua
+/// error on its way lies on top of the stack.
 class StackGuard {
  public:
-  explicit StackGuard(lua_State* L) : L_(L), top_(lua_gettop(L)) {}
-  ~StackGuard() { lua_settop(L_, top_); }
+  explicit StackGuard(lua_State* L)
+      : L_(L), top_(lua_gettop(L)), exceptions_(std::uncaught_exceptions()) {}
+  ~StackGuard() {
+    if (std::uncaught_exceptions() == exceptions_) lua_settop(L_, top_);
+  }
   StackGuard(const StackGuard&) = delete;
   StackGuard& operator=(const StackGuard&) = delete;
 
  private:
   lua_State* L_;
   int top_;
+  int exceptions_;
 };
 
 /// The state (the coroutine) from which Lua last called into rotor: where a scripted function runs.

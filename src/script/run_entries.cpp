@@ -75,10 +75,11 @@ Results csv(lua_State* L) {
   const std::vector<double> times = times_of(options, *run);
   const auto names = options.get<std::vector<std::string>>("columns");
   const Columns columns(names ? std::span<const std::string>(*names) : Columns::standard());
-  write_csv(*run, times, columns, file, scene_name(L));
+  const bool with_json = write_csv(*run, times, columns, file, scene_name(L));
   lua_getglobal(L, "print");
-  lua_pushfstring(L, "wrote %s (%d rows) and %s.json", file.c_str(), static_cast<int>(times.size()),
-                  file.c_str());
+  const std::string message = "wrote " + file + " (" + std::to_string(times.size()) + " rows)" +
+                              (with_json ? " and " + file + ".json" : "");
+  Convert<std::string>::push(L, message);
   lua_call(L, 1, 0);
   return {0};
 }

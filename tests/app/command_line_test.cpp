@@ -163,6 +163,12 @@ TEST_CASE("option -i opens the terminal after the rest, without a terminal too")
   check_contains("echo 1 | rotor -q -i no_such.lua", "rotor: cannot open no_such.lua", 1);
 }
 
+TEST_CASE("at the prompt, ? is help") {
+  check_contains("echo '?' | rotor -q -i", "slerp", 0);
+  check_contains("echo ' ? slerp ' | rotor -q -i", "rotor> slerp(", 0);
+  check_contains("echo '?rotation.from_mrp' | rotor -q -i", "rotor> rotation.from_mrp(", 0);
+}
+
 TEST_CASE("what does not reach standard output is an error") {
   const std::string message = "rotor: cannot write to standard output";
   check("rotor -e 'print(1)' 2>&1 >/dev/full", message + "\n", 1);

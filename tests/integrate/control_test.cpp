@@ -51,6 +51,7 @@ TEST_CASE("the next step aims at nine tenths of what would just be allowed, with
   CHECK(step_factor(1, 0, 8) == 0.2);
 }
 
-TEST_CASE("an error that is not a number makes the step shorter") {
+TEST_CASE("an error that is not a number makes the step shorter, and so does a spent budget") {
+  CHECK(step_factor(1e-9, -1e-12, 8) == 0.2);
   CHECK(step_factor(std::numeric_limits<double>::quiet_NaN(), 1e-9, 8) == 0.2);
 }

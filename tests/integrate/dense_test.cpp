@@ -11,16 +11,14 @@ namespace {
 using namespace rotor;
 using One = Eigen::Matrix<double, 1, 1>;
 
-// A polynomial of degree 7 is held exactly by seven terms: y = x^2 (1 - x) (...) of the form itself.
-// Its coefficients are small integers, so that the eighths are exact in every operation.
+// A polynomial of degree 7 is held exactly by seven terms: y = x^2 (1 - x) (...) of the form
+// itself. Its coefficients are small integers, so that the eighths are exact in every operation.
 constexpr std::array<double, 7> kTerms = {3, -1, 2, 5, -4, 1, 2};
 
 double by_the_formula(double x) {
   const double z = 1 - x;
   const auto& f = kTerms;
-  return 7 +
-         x * (f[0] +
-              z * (f[1] + x * (f[2] + z * (f[3] + x * (f[4] + z * (f[5] + x * f[6]))))));
+  return 7 + x * (f[0] + z * (f[1] + x * (f[2] + z * (f[3] + x * (f[4] + z * (f[5] + x * f[6]))))));
 }
 
 std::array<One, 7> terms() {
@@ -35,8 +33,9 @@ void append_cubic(DenseOutput<One>& dense, double a, double b) {
   const auto slope = [](double t) { return 3 * (t - 1) * (t - 1) + 1; };
   const double h = b - a;
   const double f0 = cubic(b) - cubic(a);
-  dense.append(b, One(cubic(a)),
-               std::array{One(f0), One(h * slope(a) - f0), One(2 * f0 - h * (slope(a) + slope(b)))});
+  dense.append(
+      b, One(cubic(a)),
+      std::array{One(f0), One(h * slope(a) - f0), One(2 * f0 - h * (slope(a) + slope(b)))});
 }
 
 }  // namespace
@@ -64,8 +63,9 @@ TEST_CASE("the slope of a piece is the derivative of its value") {
 
 TEST_CASE("dense output holds a cubic, forward and backward, at its nodes and between") {
   // Numbers up to 30, some ten operations: 30 * 10 * 1.1e-16 < 4e-14.
-  for (const auto& mesh : {std::vector{-1.0, -0.5, 0.25, 2.0, 4.0}, std::vector{4.0, 1.0, 0.9, -1.0},
-                           std::vector{0.0, 3.0}, std::vector{3.0, 0.0}}) {
+  for (const auto& mesh :
+       {std::vector{-1.0, -0.5, 0.25, 2.0, 4.0}, std::vector{4.0, 1.0, 0.9, -1.0},
+        std::vector{0.0, 3.0}, std::vector{3.0, 0.0}}) {
     DenseOutput<One> dense(mesh.front(), 3);
     for (std::size_t i = 1; i < mesh.size(); ++i) append_cubic(dense, mesh[i - 1], mesh[i]);
     CHECK(dense.mesh() == mesh);
@@ -115,7 +115,8 @@ double interpolation_error(const Scene& scene, double h) {
 
 }  // namespace
 
-// Within a step the output of order q errs by O(h^(q+1)); half an order tells q from its neighbours.
+// Within a step the output of order q errs by O(h^(q+1)); half an order tells q from its
+// neighbours.
 TEST_CASE("the Hermite cubic of the classical method is good to h^4") {
   const auto error = [](double h) {
     return interpolation_error(

@@ -65,6 +65,20 @@ TEST_CASE("the errors of a quaternion are the logarithm of q* (q + dq)") {
   }
 }
 
+TEST_CASE(
+    "turning by a small vector is what body_error reads back, and the exact turn to order 1") {
+  Random random;
+  for (int i = 0; i < 100; ++i) {
+    CAPTURE(i);
+    const Value q = random.quaternion();
+    const Vector v = 1e-5 * random.vector();
+    const Value dq = QuaternionEquation::turning(q, v);
+    CHECK((QuaternionEquation::body_error(q, dq) - v).norm() < 1e-20);  // some u |v|
+    const auto exact = Quaternion(q).cast<Extended>() * closed_form::turn(v.cast<Extended>());
+    CHECK((q + dq - exact.coeffs().cast<double>()).norm() < v.squaredNorm() + 1e-15);
+  }
+}
+
 TEST_CASE("a change of the norm alone is no error of the rotation") {
   Random random;
   for (int i = 0; i < 100; ++i) {

@@ -14,7 +14,7 @@
 
 namespace {
 
-using rotor::kDop853, rotor::kRk4;
+using rotor::kDop853Tableau, rotor::kRk4Tableau;
 using Real = long double;
 
 /// A rooted tree: `branch` grafted to the root of `stem`, both indices of earlier trees. The
@@ -143,15 +143,15 @@ constexpr std::size_t kStages = 16;  // of DOP853 with its dense output
 
 Rows dop853_rows() {
   Rows a;
-  for (const auto& numbers : kDop853.a) a.push_back(row(numbers, kStages));
-  a.push_back(row(kDop853.b, kStages));
+  for (const auto& numbers : kDop853Tableau.a) a.push_back(row(numbers, kStages));
+  a.push_back(row(kDop853Tableau.b, kStages));
   for (const auto& numbers : rotor::kDop853DenseA) a.push_back(row(numbers, kStages));
   return a;
 }
 
 /// The weights b_i(x) of the dense output y(t0 + x h) = y0 + h sum_i b_i(x) k_i.
 Row dense_weights(Real x) {
-  const Row b = row(kDop853.b, kStages);
+  const Row b = row(kDop853Tableau.b, kStages);
   Row weights(kStages);
   for (std::size_t i = 0; i < kStages; ++i) {
     const Bounded first(i == 0), last(i == 12);
@@ -183,25 +183,25 @@ TEST_CASE("the rooted trees of each order are all there") {
 }
 
 TEST_CASE("the rows of the tableaus sum to the nodes") {
-  check_rows(rows(kRk4.a), {kRk4.c.begin(), kRk4.c.end()});
-  std::vector<double> c(kDop853.c.begin(), kDop853.c.end());
+  check_rows(rows(kRk4Tableau.a), {kRk4Tableau.c.begin(), kRk4Tableau.c.end()});
+  std::vector<double> c(kDop853Tableau.c.begin(), kDop853Tableau.c.end());
   c.push_back(1);
   c.insert(c.end(), rotor::kDop853DenseC.begin(), rotor::kDop853DenseC.end());
   check_rows(dop853_rows(), c);
 }
 
 TEST_CASE("the classical method is of order 4") {
-  check_order(kRk4.order, defects(rows(kRk4.a), row(kRk4.b, 4)));
-  CHECK(kRk4.order == 4);
+  check_order(kRk4Tableau.order, defects(rows(kRk4Tableau.a), row(kRk4Tableau.b, 4)));
+  CHECK(kRk4Tableau.order == 4);
 }
 
 TEST_CASE("DOP853 is of order 8") {
-  check_order(kDop853.order, defects(dop853_rows(), row(kDop853.b, kStages)));
-  CHECK(kDop853.order == 8);
+  check_order(kDop853Tableau.order, defects(dop853_rows(), row(kDop853Tableau.b, kStages)));
+  CHECK(kDop853Tableau.order == 8);
 }
 
 TEST_CASE("the comparison methods of DOP853 are of orders 5 and 3") {
-  const Row b = row(kDop853.b, kStages);
+  const Row b = row(kDop853Tableau.b, kStages);
   const auto comparison = [&b](const std::array<double, 12>& error) {
     Row weights = row(error, kStages);
     for (std::size_t i = 0; i < kStages; ++i) {
@@ -226,6 +226,6 @@ TEST_CASE("the dense output of DOP853 is of order 7") {
 
 TEST_CASE("the dense output of DOP853 ends at the step's own weights") {
   const Row end = dense_weights(1);
-  const Row b = row(kDop853.b, kStages);
+  const Row b = row(kDop853Tableau.b, kStages);
   for (std::size_t i = 0; i < kStages; ++i) CHECK(end[i].value == b[i].value);
 }

@@ -116,7 +116,7 @@ local function check_layout(entries)
   for _, row in ipairs(entries) do
     fits(fresh.text(row.name))
     local name = row.owner == "" and row.name or row.owner .. "." .. row.name
-    contains(fresh.text(name), row.kind == "operator" and row.name or row.name:match "[%w_]+$", name)
+    contains(fresh.text(name), row.kind == "operator" and row.name or row.name:match "[%w_]+", name)
   end
   assert(load(fresh.stub(), "=stub", "t", {}))()
   local reference = fresh.reference()

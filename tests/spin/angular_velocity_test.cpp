@@ -54,13 +54,14 @@ TEST_CASE("a function of t is called once for each value, with the very t") {
 
 TEST_CASE("a function that gives NaN or infinity is named, with t and what it gave") {
   for (const double bad : {kInfinity, -kInfinity, kNaN}) {
-    const AngularVelocity omega([bad](double t) { return t < 2 ? Vector(1, 0, 0) : Vector(1, bad, 0); },
-                                "spin_up");
+    const AngularVelocity omega(
+        [bad](double t) { return t < 2 ? Vector(1, 0, 0) : Vector(1, bad, 0); }, "spin_up");
     CHECK(omega(1) == Vector(1, 0, 0));
     CHECK_THROWS_AS(omega(2.5), NonFiniteOmega);
     const std::string value = bad > 0 ? "inf" : bad < 0 ? "-inf" : "nan";
     CHECK_THROWS_WITH(omega(2.5), Contains("spin_up") && Contains("t = 2.5") &&
-                                      Contains("(1.0, " + value + ", 0.0)") && Contains("expected"));
+                                      Contains("(1.0, " + value + ", 0.0)") &&
+                                      Contains("expected"));
   }
   const AngularVelocity unnamed([](double) { return Vector(kNaN, 0, 0); });
   CHECK_THROWS_WITH(unnamed(0), Contains("omega gave"));
