@@ -57,7 +57,7 @@ local function in_full(row)
   if row.example then
     local call, shown = row.example:match "^(.-)%s*%-%->%s*(.*)$"
     parts[#parts + 1] = ""
-    parts[#parts + 1] = "  rotor> " .. (call or row.example)
+    parts[#parts + 1] = text.wrap(call or row.example, "  rotor> ", "         ")
     if shown and shown ~= "" then parts[#parts + 1] = "  " .. shown end
   end
   return table.concat(parts, "\n")

@@ -12,10 +12,10 @@
 namespace rotor {
 
 /// Writes the states at the times as FILE, and where it comes from as FILE.json: program, columns
-/// with their meaning, interval, start, method, accuracy, error estimate, cost. `scene` is a word on
-/// what was run, for instance the script's name. To what is not a regular file (a pipe, a terminal)
-/// the table alone is written, and the answer is false. Throws std::system_error if a file cannot be
-/// written.
+/// with their meaning, interval, start, method, accuracy, error estimate, cost. `scene` is a word
+/// on what was run, for instance the script's name. To what is not a regular file (a pipe, a
+/// terminal) the table alone is written, and the answer is false. Throws std::system_error if a
+/// file cannot be written.
 bool write_csv(const Run& run, std::span<const double> times, const Columns& columns,
                const std::filesystem::path& file, const std::string& scene);
 

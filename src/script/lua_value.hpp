@@ -8,8 +8,8 @@
 
 namespace rotor::script {
 
-/// Puts the stack back to its height when it goes; not when an exception passes, as the value of a Lua
-/// error on its way lies on top of the stack.
+/// Puts the stack back to its height when it goes; not when an exception passes, as the value of a
+/// Lua error on its way lies on top of the stack.
 class StackGuard {
  public:
   explicit StackGuard(lua_State* L)

@@ -80,8 +80,8 @@ local function closing(name, failure)
   end })
 end
 co = create(function()
-  local a <close> = closing "a"
-  local b <close> = closing("b", "b fails")
+  local _a <close> = closing "a"
+  local _b <close> = closing("b", "b fails")
   yield()
 end)
 resume(co)
@@ -91,7 +91,7 @@ same(values(true), close(co))
 same(values(true), close(create(print)))
 log = {}
 same(values(false, "c fails"), pcall(wrap(function()
-  local c <close> = closing("c", "c fails")
+  local _c <close> = closing("c", "c fails")
   error("first", 0)
 end)))
 assert(log[1] == "c:first")
