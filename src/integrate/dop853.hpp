@@ -5,27 +5,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 #include "integrate/control.hpp"
 #include "integrate/dense.hpp"
 #include "integrate/dop853_tableau.hpp"
+#include "integrate/node_quadrature.hpp"
 #include "integrate/sampler.hpp"
 #include "integrate/step.hpp"
 
 namespace rotor {
-
-/// What fifteen values on the distinct nodes x of a step and its dense output say of a function.
-struct NodeQuadrature {
-  /// Row by row: sum_i weights_i p(x_i) = the integral of p from 0 to 1, 1/8, 2/8 ... 7/8 for every
-  /// polynomial p of degree 9; the weights of least norm.
-  Eigen::Matrix<double, 8, 15> weights;
-  /// Orthonormal rows that annihilate the polynomials of degree 9: what is left is not smooth.
-  Eigen::Matrix<double, 5, 15> residual;
-  /// The greatest error of the integral over [0, 1] of a function with a jump, wherever it is, in
-  /// units of the norm of its residual.
-  double jump;
-};
-const NodeQuadrature& node_quadrature();
 
 /// DOP853 from t0 to t1 with the error of the whole run kept within `accuracy`, or at the level of
 /// rounding where that is more. 14 calls of omega an accepted step: stages that share a node share
@@ -36,8 +26,8 @@ const NodeQuadrature& node_quadrature();
 /// step is the integral of R~^T (w~ - w), seen from the body. The defect is a polynomial of degree
 /// 7 in its leading order h^7, 8 in the next, 9 in the third; the true local error is of order h^9,
 /// so a quadrature of degree 9 has it with an error O(h^2). What the defect has beyond degree 9
-/// shows where omega is not smooth enough for that, and is added to the error that steps are judged
-/// by.
+/// shows where omega is not smooth enough for that, and as much as a jump
+/// that leaves so much could have hidden is added to the error that steps are judged by.
 ///
 /// Where that is lost in rounding, the classical estimate by embedded methods of order 5 and 3
 /// decides: for short steps it is 20 to 500 times too large, and so stands further above rounding.
@@ -49,7 +39,7 @@ class Dop853 {
   using Value = typename Equation::Value;
 
   Dop853(Sampler omega, const Value& start, double t0, double t1, double accuracy, double max_step)
-      : omega_(omega),
+      : omega_(std::move(omega)),
         sum_(start),
         dense_(t0, 7),
         budget_(0.75 * accuracy, std::abs(t1 - t0)),
@@ -97,17 +87,8 @@ class Dop853 {
     if (!(judged <= allowed && between <= between_allowed)) return false;
 
     budget_.spend(judged);
-    for (Eigen::Index i = error.lost_in_rounding ? 1 : 0; i < 8; ++i) {
-      greatest_ = std::max(greatest_, (error_ + error.integrals.row(i).transpose()).norm());
-    }
-    if (error.lost_in_rounding) {
-      sum.add(Equation::turning(sum.value(), -error.at_end()));
-      rounding_.add(rounding, node_quadrature().weights.row(0).squaredNorm());
-    } else {
-      error_ += error.at_end();
-      doubt_ += error.doubt;
-      rounding_.add(rounding, sum_of_squares(kDop853Tableau.b));
-    }
+    record(error, rounding);
+    if (error.lost_in_rounding) sum.add(Equation::turning(sum.value(), -error.at_end()));
     sum_ = sum;
     omega_.set_node(t_next, omega[11]);
     dense_.append(t_next, y0, piece);
@@ -120,6 +101,18 @@ class Dop853 {
   double error_estimate() const { return greatest_ + doubt_ + rounding_.estimate(); }
 
  private:
+  struct StepError {
+    // Rotation vectors in the body frame: at 1, 1/8, 2/8, ... 7/8 of the step.
+    Eigen::Matrix<double, 8, 3> integrals;
+    double doubt;  // what a jump of omega could have hidden
+    bool lost_in_rounding;
+
+    Vector at_end() const { return integrals.row(0).transpose(); }
+    double greatest_between() const {
+      return integrals.bottomRows<7>().rowwise().norm().maxCoeff();
+    }
+  };
+
   // A hundredth of a radian of turning; without a hint a thousandth of the way. Growth by 5 a step
   // soon finds the right size, rejection the other way.
   double first_step() {
@@ -138,7 +131,7 @@ class Dop853 {
     const Vector change = omega[11] - omega[0];
     for (std::size_t i = 1; i < 15; ++i) {
       if (i == 11) continue;
-      const double c = i < 12 ? kDop853Tableau.c[i] : kDop853DenseC[i - 12];
+      const double c = step_node(i);
       const double node = t + c * h;
       omega[i] = omega_(node) + change * (std::fma(c, h, t - node) / h);
     }
@@ -158,6 +151,19 @@ class Dop853 {
     std::array<Value, 7> f{f0, h * k[0] - f0, 2 * f0 - h * (k[0] + k[12])};
     for (std::size_t m = 0; m < 4; ++m) f[3 + m] = h * weighted_sum(kDop853DenseD[m], k);
     return f;
+  }
+
+  void record(const StepError& error, double rounding) {
+    for (Eigen::Index i = error.lost_in_rounding ? 1 : 0; i < 8; ++i) {
+      greatest_ = std::max(greatest_, (error_ + error.integrals.row(i).transpose()).norm());
+    }
+    if (error.lost_in_rounding) {
+      rounding_.add(rounding, node_quadrature().weights.row(0).squaredNorm());
+    } else {
+      error_ += error.at_end();
+      doubt_ += error.doubt;
+      rounding_.add(rounding, sum_of_squares(kDop853Tableau.b));
+    }
   }
 
   double allowed_error(double t, double t_next, double rounding, double rate) const {
@@ -182,23 +188,11 @@ class Dop853 {
     return e5 <= 0 ? 0 : e5 * (e5 / std::hypot(e5, 0.1 * e3));
   }
 
-  struct StepError {
-    // Rotation vectors in the body frame: at 1, 1/8, 2/8, ... 7/8 of the step.
-    Eigen::Matrix<double, 8, 3> integrals;
-    double doubt;  // what a jump of omega could have hidden
-    bool lost_in_rounding;
-
-    Vector at_end() const { return integrals.row(0).transpose(); }
-    double greatest_between() const {
-      return integrals.bottomRows<7>().rowwise().norm().maxCoeff();
-    }
-  };
-
   static StepError error_of(const Value& y0, const std::array<Value, 7>& piece,
                             const std::array<Vector, 15>& omega, double h, double rounding) {
     Eigen::Matrix<double, 15, 3> defect;
     for (std::size_t i = 0; i < 15; ++i) {
-      const double x = i < 12 ? kDop853Tableau.c[i] : kDop853DenseC[i - 12];
+      const double x = step_node(i);
       const auto y = evaluate_piece(y0, piece.data(), piece.size(), x);
       defect.row(static_cast<Eigen::Index>(i)) =
           Equation::body_error(y.value, y.slope - h * Equation::rate(omega[i], y.value));

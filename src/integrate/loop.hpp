@@ -31,6 +31,12 @@ class StepOverflow : public std::overflow_error {
   using std::overflow_error::overflow_error;
 };
 
+/// Thrown by omega to stop the run without having failed, as an observer does.
+class Interrupted : public std::exception {
+ public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
 /// Why a run ended before its end.
 struct Stop {
   // "interrupted", "step limit", "step underflow", "step overflow", "omega failed"
@@ -79,6 +85,8 @@ std::optional<Stop> integrate(Method& method, double t0, double t1, std::size_t 
         ++cost.rejected;
       }
     }
+  } catch (const Interrupted& interrupted) {
+    return Stop{interrupted.what(), t, interrupted.what(), nullptr};
   } catch (const StepOverflow& error) {
     return Stop{"step overflow", t, error.what(), nullptr};
   } catch (const std::exception& error) {

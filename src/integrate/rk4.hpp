@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "integrate/dense.hpp"
 #include "integrate/sampler.hpp"
@@ -26,7 +27,7 @@ class Rk4 {
   using Value = typename Equation::Value;
 
   Rk4(Sampler omega, const Value& start, double t0, double t1, std::size_t n)
-      : omega_(omega), sum_(start), dense_(t0, 3), t0_(t0), t1_(t1), n_(n) {}
+      : omega_(std::move(omega)), sum_(start), dense_(t0, 3), t0_(t0), t1_(t1), n_(n) {}
 
   double next(double) const {
     const std::size_t i = dense_.pieces() + 1;

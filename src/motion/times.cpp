@@ -28,9 +28,11 @@ std::vector<double> times_every(double t0, double t1, double every) {
                                 " times, more than 1e8");
   }
   std::vector<double> times;
-  times.reserve(static_cast<std::size_t>(count) + 1);
-  for (double i = 0; i <= count; ++i) {
-    const double t = t1 >= t0 ? t0 + i * every : t0 - i * every;
+  const auto last = static_cast<std::size_t>(count);
+  times.reserve(last + 1);
+  for (std::size_t i = 0; i <= last; ++i) {
+    const double way = static_cast<double>(i) * every;
+    const double t = t1 >= t0 ? t0 + way : t0 - way;
     times.push_back(t1 >= t0 ? std::min(t, t1) : std::max(t, t1));
   }
   return times;

@@ -87,15 +87,20 @@ std::vector<std::string> suffixes(const Quantity& quantity) {
   return list;
 }
 
+std::string unknown_column(const std::string& name) {
+  std::string message = "unknown column '" + name + "'; there are";
+  for (const Quantity& quantity : kQuantities)
+    message.append(" ").append(quantity.name).append(",");
+  return message + " and their components, as axis_x";
+}
+
 }  // namespace
 
 Columns::Columns(std::span<const std::string> names) {
   for (const std::string& name : names) {
     const std::size_t before = columns_.size();
-    std::string known;
     for (std::size_t q = 0; q < kQuantities.size(); ++q) {
       const Quantity& quantity = kQuantities[q];
-      known += (q == 0 ? "" : ", ") + std::string(quantity.name);
       const auto parts = suffixes(quantity);
       for (std::size_t c = 0; c < parts.size(); ++c) {
         const std::string part = quantity.name + parts[c];
@@ -104,10 +109,7 @@ Columns::Columns(std::span<const std::string> names) {
         parts_.push_back({q, c});
       }
     }
-    if (columns_.size() == before) {
-      throw std::invalid_argument("unknown column '" + name + "'; there are " + known +
-                                  ", and their components as axis_x");
-    }
+    if (columns_.size() == before) throw std::invalid_argument(unknown_column(name));
   }
   if (columns_.empty()) throw std::invalid_argument("no columns given");
 }

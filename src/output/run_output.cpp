@@ -6,6 +6,7 @@
 #include "output/csv.hpp"
 #include "output/file.hpp"
 #include "output/json.hpp"
+#include "output/table.hpp"
 
 namespace rotor {
 namespace {
@@ -55,6 +56,19 @@ bool write_csv(const Run& run, std::span<const double> times, const Columns& col
   json += ".json";
   write_file(json, provenance(run, times.size(), columns, scene).text() + "\n");
   return true;
+}
+
+std::string table(const Run& run, std::span<const double> times, const Columns& columns,
+                  const std::function<std::string(double)>& number) {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<double> values;
+  for (const double t : times) {
+    values.clear();
+    columns.values(run, run(t), values);
+    std::vector<std::string>& row = rows.emplace_back();
+    for (const double value : values) row.push_back(number(value));
+  }
+  return table(columns.headers(), rows);
 }
 
 std::string plot(const Run& run, std::span<const double> times, const Columns& columns,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -18,6 +19,10 @@ namespace rotor {
 /// file cannot be written.
 bool write_csv(const Run& run, std::span<const double> times, const Columns& columns,
                const std::filesystem::path& file, const std::string& scene);
+
+/// Columns at the times as an aligned table for people; `number` writes the numbers.
+std::string table(const Run& run, std::span<const double> times, const Columns& columns,
+                  const std::function<std::string(double)>& number);
 
 /// Columns over time as an ASCII plot.
 std::string plot(const Run& run, std::span<const double> times, const Columns& columns,

@@ -15,7 +15,7 @@ namespace {
 using Column = std::vector<std::string>;
 
 bool is_number(std::string_view cell) {
-  double x;
+  double x = 0;
   const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), x);
   // Out of range is a number, too: its end is known.
   return read.ec != std::errc::invalid_argument && read.ptr == cell.data() + cell.size();

@@ -95,15 +95,12 @@ int message_of_stop(lua_State* L) {
 
 [[noreturn]] void raise_stop(lua_State* L, const SharedRun& run, const Scene& scene) {
   const Stop& stop = *run->propagator().stop;
-  const bool interrupted = interrupt_pending();
-  const std::string reason = interrupted ? "interrupted" : stop.reason;
   luaL_where(L, 1);
   const std::string message =
-      lua_tostring(L, -1) +
-      ("evolve: stopped at t = " + text(stop.t) + " of " + text(scene.t0) + " .. " +
-       text(scene.t1) + ": " + (interrupted ? reason : stop.message));
+      lua_tostring(L, -1) + ("evolve: stopped at t = " + text(stop.t) + " of " + text(scene.t0) +
+                             " .. " + text(scene.t1) + ": " + stop.message);
   lua_createtable(L, 0, 5);
-  Convert<std::string>::push(L, reason);
+  Convert<std::string>::push(L, stop.reason);
   lua_setfield(L, -2, "reason");
   lua_pushnumber(L, stop.t);
   lua_setfield(L, -2, "t");

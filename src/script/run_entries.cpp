@@ -21,8 +21,15 @@ Results evolve_entry(lua_State* L) {
   return {1};
 }
 
-// Times in an options table, {n=}, {every=} or {times=}; 1000 where none is given.
-std::vector<double> times_of(const Options& options, const Run& run) {
+// By Lua's own print, which a script may have put in its place; it ends the line itself.
+void print(lua_State* L, const std::string& text) {
+  lua_getglobal(L, "print");
+  lua_pushlstring(L, text.data(), text.ends_with('\n') ? text.size() - 1 : text.size());
+  lua_call(L, 1, 0);
+}
+
+// Times in an options table, {n=}, {every=} or {times=}; n as given where there is none.
+std::vector<double> times_of(const Options& options, const Run& run, std::size_t otherwise = 1000) {
   const auto n = options.get<std::size_t>("n");
   const auto every = options.get<double>("every");
   const auto times = options.get<std::vector<double>>("times");
@@ -31,7 +38,7 @@ std::vector<double> times_of(const Options& options, const Run& run) {
   }
   if (times) return *times;
   if (every) return times_every(run.t0(), run.t1(), *every);
-  return times_in(run.t0(), run.t1(), n.value_or(1000));
+  return times_in(run.t0(), run.t1(), n.value_or(otherwise));
 }
 
 // A name, or a list of names.
@@ -76,11 +83,9 @@ Results csv(lua_State* L) {
   const auto names = options.get<std::vector<std::string>>("columns");
   const Columns columns(names ? std::span<const std::string>(*names) : Columns::standard());
   const bool with_json = write_csv(*run, times, columns, file, scene_name(L));
-  lua_getglobal(L, "print");
   const std::string message = "wrote " + file + " (" + std::to_string(times.size()) + " rows)" +
                               (with_json ? " and " + file + ".json" : "");
-  Convert<std::string>::push(L, message);
-  lua_call(L, 1, 0);
+  print(L, message);
   return {0};
 }
 
@@ -93,11 +98,18 @@ Results plot_entry(lua_State* L) {
   look.title = options.get<std::string>("title").value_or("");
   look.width = static_cast<int>(options.get<std::size_t>("width").value_or(80));
   look.height = static_cast<int>(options.get<std::size_t>("height").value_or(20));
-  const std::string picture = plot(*run, times_of(options, *run), Columns(names), look);
-  lua_getglobal(L, "print");
-  // print ends the line itself.
-  lua_pushlstring(L, picture.data(), picture.ends_with('\n') ? picture.size() - 1 : picture.size());
-  lua_call(L, 1, 0);
+  print(L, plot(*run, times_of(options, *run), Columns(names), look));
+  return {0};
+}
+
+constexpr const char* kTable = "run:table(what, {n=, every=, times=})";
+Results table_entry(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  std::vector<std::string> names = names_at(L, 2);
+  names.insert(names.begin(), "t");
+  const Options options(L, 3, kTable);
+  const auto number = [](double x) { return shown(x); };
+  print(L, table(*run, times_of(options, *run, 11), Columns(names), number));
   return {0};
 }
 
@@ -196,6 +208,11 @@ constexpr Entry kMethods[] = {
      "(these by default), modified_gibbs, gibbs, mrp, matrix, omega, angle_rate, axis_rate, "
      "euler_rate.",
      ROTOR_RUN ":csv(\"/dev/null\", {n = 11}) --> "},
+    {"table", bound<table_entry>, kTable,
+     "Prints quantities or components, as named for run:csv (one name or a list), at n times "
+     "(default 11), at "
+     "every so much, or at the given times.",
+     ROTOR_RUN ":table(\"angle\", {n = 3}) --> "},
     {"plot", bound<plot_entry>, kPlot,
      "Draws quantities or components over t, as named for run:csv: one name or a list of names.",
      ROTOR_RUN ":plot(\"angle\", {height = 5}) --> "},

@@ -4,9 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "integrate/loop.hpp"
 #include "rotation/text.hpp"
 #include "script/convert.hpp"
 #include "script/interpreter.hpp"
+#include "script/interrupt.hpp"
 #include "script/lua_value.hpp"
 
 namespace rotor::script {
@@ -65,6 +67,7 @@ AngularVelocity scripted_omega(lua_State* L, int index) {
     function->push(running);
     lua_pushnumber(running, t);
     if (lua_pcall(running, 1, LUA_MULTRET, handler) != LUA_OK) {
+      if (interrupt_pending()) throw Interrupted();
       const std::string raised =
           lua_isstring(running, -1) ? lua_tostring(running, -1) : describe(running, -1);
       throw ScriptError(std::make_shared<const Reference>(running, -1),

@@ -3,7 +3,8 @@
 #include <limits>
 
 #include "catch.hpp"
-#include "integrate/dop853.hpp"
+#include "integrate/node_quadrature.hpp"
+#include "rotation/rotation.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "integrate/dop853.hpp"
+#include "integrate/node_quadrature.hpp"
 
 #include <Eigen/QR>
 
@@ -7,8 +7,6 @@ namespace {
 
 constexpr Eigen::Index kDegree = 9;
 using Coefficients = Eigen::Matrix<double, kDegree + 1, 1>;
-
-double node(std::size_t i) { return i < 12 ? kDop853Tableau.c[i] : kDop853DenseC[i - 12]; }
 
 // P_0 ... P_(degree + 1), Legendre's polynomials, at 2x - 1.
 Eigen::Matrix<double, kDegree + 2, 1> legendre(double x) {
@@ -42,10 +40,11 @@ double jump_factor(const NodeQuadrature& quadrature) {
     for (const bool jumped : {false, true}) {
       Eigen::Matrix<double, 15, 1> samples;
       for (std::size_t j = 0; j < 15; ++j) {
-        samples(static_cast<Eigen::Index>(j)) = node(j) > node(i) || (jumped && j == i) ? 1 : 0;
+        samples(static_cast<Eigen::Index>(j)) =
+            step_node(j) > step_node(i) || (jumped && j == i) ? 1 : 0;
       }
       const double residual = (quadrature.residual * samples).norm();
-      const double error = std::abs(quadrature.weights.row(0) * samples - (1 - node(i)));
+      const double error = std::abs(quadrature.weights.row(0) * samples - (1 - step_node(i)));
       // A jump at an end leaves nothing to be seen, and nothing to be wrong.
       if (residual > 1e-12) greatest = std::max(greatest, error / residual);
     }
@@ -56,7 +55,8 @@ double jump_factor(const NodeQuadrature& quadrature) {
 NodeQuadrature make_node_quadrature() {
   Eigen::Matrix<double, 15, kDegree + 1> values;
   for (std::size_t i = 0; i < 15; ++i) {
-    values.row(static_cast<Eigen::Index>(i)) = legendre(node(i)).head<kDegree + 1>().transpose();
+    values.row(static_cast<Eigen::Index>(i)) =
+        legendre(step_node(i)).head<kDegree + 1>().transpose();
   }
   // values = Q R: the first columns of Q span the values of the polynomials, the others their
   // complement; the weights Q1 R^-T (integrals) integrate and have no part in the complement.
