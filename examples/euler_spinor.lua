@@ -36,8 +36,9 @@ end
 local exact = theorem_4_1(k)
 
 print(run)
-print(("\nTheorem 4.1: a = %.6f  b = %.6f  e1 = (%.4f, %.4f, %.4f)  e2 = (%.4f, %.4f, %.4f)\n")
-  :format(exact.a, exact.b, exact.e1.x, exact.e1.y, exact.e1.z, exact.e2.x, exact.e2.y, exact.e2.z))
+print(("\nTheorem 4.1: a = %.6f  b = %.6f"):format(exact.a, exact.b))
+print(("  e1 = (%.4f, %.4f, %.4f)  e2 = (%.4f, %.4f, %.4f)\n"):format(exact.e1.x, exact.e1.y, exact.e1.z,
+  exact.e2.x, exact.e2.y, exact.e2.z))
 
 -- The example of section 4: run and theorem ---------------------------------------------------------------------
 

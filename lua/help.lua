@@ -1,7 +1,9 @@
 -- help(): the overview, a name, a value. All of it is read from the registry of names.
 local entries = require "rotor.entries"
+local manual = require "rotor.manual"
 local names = require "rotor.names"
 local text = require "rotor.text"
+local words = require "rotor.words"
 
 local help = {}
 
@@ -111,46 +113,6 @@ local function about_word(word)
   return table.concat(parts, "\n\n")
 end
 
--- Lua's own names -----------------------------------------------------------------------------------------------------
-
-local kManual = "https://www.lua.org/manual/5.4/manual.html#"
-local kLibraries = { coroutine = "6.2", package = "6.3", string = "6.4", utf8 = "6.5", table = "6.6", math = "6.7",
-  io = "6.8", os = "6.9", debug = "6.10" }
-local kFunctions = " assert collectgarbage dofile error getmetatable ipairs load loadfile next pairs pcall print "
-  .. "rawequal rawget rawlen rawset require select setmetatable tonumber tostring type warn xpcall _G _VERSION "
-local kKeywords = " and break do else elseif end false for function goto if in local nil not or repeat return then "
-  .. "true until while "
-
-local function about_lua(name)
-  local library, member = name:match "^(%w+)%.(%w+)$"
-  if kKeywords:find(" " .. name .. " ", 1, true) then
-    return name .. " is a word of the language Lua:\n  " .. kManual .. "3"
-  elseif kFunctions:find(" " .. name .. " ", 1, true)
-    or kLibraries[library] and rawget(rawget(_G, library) or {}, member) ~= nil then
-    return name .. " is Lua's own:\n  " .. kManual .. "pdf-" .. name
-  elseif kLibraries[name] then
-    local members = {}
-    for key in next, rawget(_G, name) or {} do members[#members + 1] = tostring(key) end
-    table.sort(members)
-    return name .. " is a library of Lua:\n  " .. kManual .. kLibraries[name] .. "\n"
-      .. text.wrap(table.concat(members, " "), "  ")
-  end
-end
-
--- The name under which a value without a row can be reached in Lua's libraries, or nil.
-local function lua_name(value)
-  for name in kFunctions:gmatch "%S+" do
-    if rawequal(rawget(_G, name), value) then return name end
-  end
-  for library in pairs(kLibraries) do
-    local members = rawget(_G, library)
-    if rawequal(members, value) then return library end
-    for key, member in next, type(members) == "table" and members or {} do
-      if rawequal(member, value) and type(value) == "function" then return library .. "." .. key end
-    end
-  end
-end
-
 -- A value -------------------------------------------------------------------------------------------------------------
 
 -- The global name of a value whose row does not hold it (a library such as `spin`), or nil.
@@ -158,8 +120,20 @@ local function global_name(value)
   if type(value) ~= "table" then return nil end
   for _, row in ipairs(entries) do
     local name = row.owner == "" and row.name or row.owner
-    if rawequal(rawget(_G, name), value) then return name end
+    if (row.owner == "" or names.is_library(name)) and rawequal(rawget(_G, name), value) then return name end
   end
+end
+
+-- What is said of a value that is no part of rotor or Lua: its kind, and what the terminal would show if that is short.
+local function of_your_own(value)
+  local kind = names.type_of(value)
+  if kind == "function" then
+    local info = debug.getinfo(value, "S")
+    return "A function of your own, defined in " .. info.short_src .. ", line " .. info.linedefined .. "."
+  end
+  local shown = kind == "number" and ": " .. text.number(value) or kind == "boolean" and ": " .. tostring(value)
+    or names.is_type(kind) and ":\n" .. tostring(value) or "."
+  return "A " .. kind .. " of your own" .. shown
 end
 
 local function about_value(value)
@@ -167,17 +141,18 @@ local function about_value(value)
   local row, name = names.row_of(value), global_name(value)
   if row and row.owner ~= "" then return in_full(row) end
   if row or name then return about_word(row and row.name or name) end
-  name = lua_name(value)
-  if name then return about_lua(name) end
+  name = manual.name_of(value)
+  if name then return manual.about(name) end
   if names.is_type(kind) then return about_type(kind) end
-  if kind == "function" then
-    local info = debug.getinfo(value, "S")
-    return "A function of your own, defined in " .. info.short_src .. ", line " .. info.linedefined .. "."
-  elseif kind == "nil" then
-    return 'nil: this name has no value. To look for it write it in quotes: help "name"'
-  end
-  local plain = kind == "number" or kind == "boolean"
-  return "A " .. kind .. " of your own" .. (plain and ": " .. tostring(value) or ".")
+  if kind == "nil" then return 'nil: this name has no value. To look for it write it in quotes: help "name"' end
+  return of_your_own(value)
+end
+
+-- What is known of the word, after the user's own value if the word is a global of theirs too.
+local function about_own_and_word(word)
+  local known, value = about_word(word), rawget(_G, word)
+  local own = value ~= nil and not names.find("", word) and not names.is_library(word) and manual.name_of(value) ~= word
+  return known and own and of_your_own(value) .. "\n\n" .. known or known
 end
 
 -- A name --------------------------------------------------------------------------------------------------------------
@@ -221,10 +196,16 @@ local function about_missing_member(path)
     guess and "Did you mean " .. guess .. "?" or "", kind):gsub("  +", " ")
 end
 
+-- In a search euler_vector, "Euler-vector" and "Euler vector" are the same.
+local function searchable(s)
+  return (s:lower():gsub("[%s_-]+%f[%w]", " "))
+end
+
 local function mentions(word)
   return names.select(function(row)
-    local where = full_name(row) .. "\n" .. (row.signature or "") .. "\n" .. (row.summary or "")
-    return where:lower():find(word:lower(), 1, true) ~= nil
+    local name = full_name(row)
+    local where = table.concat({ name, row.signature or "", row.summary or "", words[name] or "" }, "\n")
+    return searchable(where):find(searchable(word), 1, true) ~= nil
   end)
 end
 
@@ -237,7 +218,7 @@ local function about_unknown(word)
   local found = mentions(word)
   if #found > 0 then
     local shown = table.move(found, 1, math.min(#found, kMentions), 1, {})
-    answer = answer .. "\nIt is mentioned in\n" .. in_short(shown)
+    answer = answer .. " See\n" .. in_short(shown)
     return answer .. (#found > kMentions and ("\n  and %d more"):format(#found - kMentions) or "")
   end
   if not guess then answer = answer .. ' help() lists the names; help "word" looks for a word in all of them.' end
@@ -246,12 +227,13 @@ end
 
 local function about_name(name)
   name = name:match "^%s*(.-)%s*$":gsub("%(%)$", "")
-  local answer = about_word(name) or about_path(name) or about_operator(name)
+  local answer = about_own_and_word(name) or about_path(name) or about_operator(name)
   if answer then return answer end
   local value = name:find "^[%a_][%w_]*$" and rawget(_G, name)
-  local of_lua = about_lua(name)
+  local of_lua = manual.about(name)
   if of_lua then return of_lua end
   if value ~= nil and value ~= false then return about_value(value) end
+  if name == "quit" or name == "exit" then return "Ctrl-D ends the terminal, os.exit() a script." end
   return about_missing_member(name) or about_unknown(name)
 end
 

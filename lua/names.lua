@@ -30,6 +30,16 @@ function names.is_type(name)
   return name ~= "" and names.select(function(row) return row.owner == name and row.kind ~= "function" end)[1] ~= nil
 end
 
+--- Whether this is a global that holds functions or values, as rotation.from_matrix; it may be a function itself.
+function names.is_library(name)
+  return name ~= "" and (names.members(name, "function")[1] or names.members(name, "value")[1]) ~= nil
+end
+
+--- Whether an operator's row is a call of the value, as run(t). Not all that look like a call are: tostring(R) is not.
+function names.is_call(row)
+  return row.name:find "^[%a_][%w_]*%(" ~= nil and not row.name:find "^tostring%("
+end
+
 --- All types, sorted.
 function names.types()
   local types, seen = {}, {}
@@ -105,7 +115,7 @@ function names.result(thing)
   if not (row and (row.kind == "function" or row.kind == "method")) then
     row = nil
     for _, operator in ipairs(names.members(thing.type, "operator")) do
-      if operator.name:find "^[%a_][%w_]*%(" then row = operator end
+      if names.is_call(operator) then row = operator end
     end
   end
   return row and row.result and { type = row.result }
@@ -115,7 +125,7 @@ end
 function names.each_member(thing, visit)
   local seen = {}
   local function once(key)
-    if seen[key] then return end
+    if seen[key] or type(key) ~= "string" or not key:find "^[%a_][%w_]*$" then return end
     seen[key] = true
     visit(key, names.member(thing, key))
   end
@@ -123,9 +133,7 @@ function names.each_member(thing, visit)
     if row.kind == "field" or row.kind == "method" then once(row.name) end
   end
   for _, place in ipairs(places(thing.value)) do
-    for key in next, place do
-      if type(key) == "string" and key:find "^[%a_][%w_]*$" then once(key) end
-    end
+    for key in next, place do once(key) end
   end
 end
 

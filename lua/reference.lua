@@ -47,6 +47,7 @@ end
 -- The stub ------------------------------------------------------------------------------------------------------------
 
 local kOperators = { ["+"] = "add", ["-"] = "sub", ["*"] = "mul", ["/"] = "div", ["^"] = "pow" }
+local kUnary = { ["-"] = "unm", ["#"] = "len" }
 local kOperands = { R = "rotation", S = "rotation", v = "vec", w = "vec", q = "quaternion", s = "number", x = "number" }
 
 local function comment(summary)
@@ -92,11 +93,12 @@ local function value_stub(row, name)
   return comment(row.summary) .. "---@type " .. (row.result or "any") .. "\n" .. name .. " = nil\n\n"
 end
 
--- "R * S" -> mul, "-v" -> unm, "run(t)" -> call; nil for what the editor has no word for (==).
+-- "R * S" -> mul, "-v" -> unm, "run(t)" -> call; "" for what the editor has no word for (==, tostring).
 local function operator_stub(row)
   local result = results(row)[1] or "any"
-  if row.name:find "^[%a_][%w_]*%(" then return "---@operator call(any): " .. result .. "\n" end
-  if row.name:find "^%-" then return "---@operator unm: " .. result .. "\n" end
+  if names.is_call(row) then return "---@operator call(any): " .. result .. "\n" end
+  local unary = kUnary[row.name:match "^(%p)%s*[%w_]+$"]
+  if unary then return ("---@operator %s: %s\n"):format(unary, result) end
   local symbol, right = row.name:match "^[%w_]+%s*(%p+)%s*([%w_]+)$"
   local word = kOperators[symbol]
   return word and ("---@operator %s(%s): %s\n"):format(word, kOperands[right] or "any", result) or ""
@@ -105,7 +107,8 @@ end
 local function class_stub(owner)
   local text = "---@class " .. owner .. "\n"
   for _, row in ipairs(names.members(owner, "field")) do
-    text = text .. ("---@field %s %s %s\n"):format(row.name, row.result or "any", (row.summary or ""):gsub("\n", " "))
+    local name = row.name:gsub("^%[[%a_]+%]$", "[integer]")  -- v[i]
+    text = text .. ("---@field %s %s %s\n"):format(name, row.result or "any", (row.summary or ""):gsub("\n", " "))
   end
   for _, row in ipairs(names.members(owner, "operator")) do text = text .. operator_stub(row) end
   text = text .. "local " .. owner .. "_value = {}\n\n"
@@ -136,21 +139,17 @@ local function library_stub(owner)
   return text
 end
 
-local function is_library(owner)
-  return names.members(owner, "function")[1] or names.members(owner, "value")[1]
-end
-
 --- A ---@meta file for lua-language-server: a class for each type, the functions with their parameters and results.
 function reference.stub()
   local parts = { "---@meta\n\n" }
   for _, owner in ipairs(owners()) do
     if names.is_type(owner) then parts[#parts + 1] = class_stub(owner) end
-    if is_library(owner) then parts[#parts + 1] = library_stub(owner) end
+    if names.is_library(owner) then parts[#parts + 1] = library_stub(owner) end
   end
   for _, row in ipairs(names.members "") do
     if row.kind == "value" then
       parts[#parts + 1] = value_stub(row, row.name)
-    elseif not is_library(row.name) then
+    elseif not names.is_library(row.name) then
       parts[#parts + 1] = function_stub(row, row.name) .. "\n"
     end
   end

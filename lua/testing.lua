@@ -44,12 +44,7 @@ end
 -- Round-trip digits, for reports of failures.
 local function exact_text(x)
   if type(x) == "number" then
-    if math.type(x) == "integer" then return tostring(x) end
-    for digits = 15, 16 do
-      local short = number_text(x, "%." .. digits .. "g")
-      if tonumber(short) == x then return short end
-    end
-    return number_text(x, "%.17g")
+    return text.number(x)
   elseif type(x) == "table" and not getmetatable(x) then
     local parts = {}
     for i = 1, #x do parts[i] = exact_text(x[i]) end

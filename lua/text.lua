@@ -11,6 +11,19 @@ function text.pad(s, columns)
   return s .. (" "):rep(columns - text.width(s))
 end
 
+--- The shortest of 15, 16 or 17 digits that read back as the same number; a float that is whole ends in ".0".
+function text.number(x)
+  if math.type(x) == "integer" then return tostring(x) end
+  if x ~= x then return "nan" end
+  local digits = 15
+  local short = ("%.15g"):format(x)
+  while tonumber(short) ~= x and digits < 17 do
+    digits = digits + 1
+    short = ("%." .. digits .. "g"):format(x)
+  end
+  return short:find "^-?%d+$" and short .. ".0" or short
+end
+
 --- The words of `s` in lines that begin with `first`, then with `rest` (the same if not given).
 function text.wrap(s, first, rest)
   rest = rest or first

@@ -65,7 +65,10 @@ int on_tab(int count, int key) {
   const char* end = rl_line_buffer + rl_point;
   const bool blank = std::all_of(static_cast<const char*>(rl_line_buffer), end,
                                  [](char c) { return c == ' ' || c == '\n'; });
-  if (!blank) return rl_complete(count, key);
+  if (!blank) {
+    if (rl_last_func == on_tab) rl_last_func = rl_complete;  // the second in a row lists
+    return rl_complete(count, key);
+  }
   rl_insert_text(kIndent);
   return 0;
 }

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,10 +21,31 @@ namespace {
 
 constexpr const char* kPrompt = "rotor> ";
 constexpr const char* kContinuationPrompt = "   ..> ";
+constexpr std::string_view kPrompts[] = {"rotor> ", "..> "};  // without indent
 constexpr const char* kSpace = " \t\r";
 
 std::string without_indent(const std::string& text) {
   return text.substr(std::min(text.find_first_not_of(kSpace), text.size()));
+}
+
+/// The length of the prompt, indented or not, that a line from a session or from help begins with.
+std::size_t leading_prompt(const std::string& line) {
+  const std::size_t indent = std::min(line.find_first_not_of(kSpace), line.size());
+  for (const std::string_view prompt : kPrompts) {
+    if (line.compare(indent, prompt.size(), prompt) == 0) return indent + prompt.size();
+    // An editor may have cut the space after a bare prompt.
+    if (line.substr(indent) + ' ' == prompt) return line.size();
+  }
+  return 0;
+}
+
+/// The type of a global, past any metamethods that a script gave to _G.
+int type_of_global(lua_State* L, const char* name) {
+  lua_pushglobaltable(L);
+  lua_pushstring(L, name);
+  const int type = lua_rawget(L, -2);
+  lua_pop(L, 2);
+  return type;
 }
 
 /// Past any metamethods that a script gave to _G.
@@ -102,8 +124,7 @@ int call_help(lua_State* L) {
 
 void print_banner() {
   std::printf("%s   ? help   ?name about a name   Ctrl-D quit\n%s\n", version_text().c_str(),
-              "angles in radians (30*deg works)  quaternions (w,x,y,z)  active rotations, omega in "
-              "the space frame");
+              "radians (or 30*deg)  quaternions (w,x,y,z)  active rotations  space-frame omega");
 }
 
 Repl::Repl(lua_State* L)
@@ -135,26 +156,37 @@ void Repl::run() {
   }
 }
 
-bool Repl::add(const std::string& line) {
+bool Repl::add(const std::string& text) {
+  const std::string line = text.substr(leading_prompt(text));
   if (!input_.empty()) {
     input_ += "\n" + line;
     return evaluate();
   }
   input_ = without_indent(line);
   if (input_.empty()) return true;
-  return input_[0] == '?' ? explain() : evaluate();
+  if (input_[0] == '?') return explain();
+  const std::string word = input_.substr(0, input_.find_last_not_of(kSpace) + 1);
+  if ((word == "quit" || word == "exit") && type_of_global(L_, word.c_str()) == LUA_TNIL) {
+    std::puts("Ctrl-D quits");
+    take_input();
+    return true;
+  }
+  if (word == "help" && type_of_global(L_, "help") == LUA_TFUNCTION) input_ = "help()";
+  return evaluate();
 }
 
 bool Repl::add_paste(const std::string& text) {
-  bool one_input = true;
-  if (input_.empty()) {
+  const bool session = leading_prompt(text) > 0;
+  bool one_input = !session;
+  if (one_input && input_.empty()) {
     one_input = compile_input(L_, without_indent(text)) != Input::wrong;
     lua_pop(L_, 1);
   }
   if (one_input) return add(text);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    if (!add(line)) return false;
+    const bool answer = session && input_.empty() && leading_prompt(line) == 0;
+    if (!answer && !add(line)) return false;
   }
   return true;
 }
@@ -204,8 +236,8 @@ bool Repl::finish(bool good, const std::string& text) {
   const bool several_lines = text.find('\n') != text.npos;
   const std::string error = for_the_prompt(take_error(L_), several_lines);
   if (interrupted && reader_.on_terminal()) std::fputs("\n", stdout);  // after the echo of ^C
-  print_error(interrupted && time.empty() ? "interrupted" : error);
-  if (!time.empty()) print_error("the run up to t = " + time + " is in ans");
+  print_error_at_prompt(interrupted && time.empty() ? "interrupted" : error);
+  if (!time.empty()) print_error_at_prompt("the run up to t = " + time + " is in ans");
   return false;
 }
 

@@ -15,10 +15,12 @@ class Repl {
   void run();
 
  private:
-  /// Takes one more line of input and runs what is complete. These say whether nothing went wrong.
-  bool add(const std::string& line);
+  /// Takes one more line of input, after a prompt or not, and runs what is complete. These say
+  /// whether nothing went wrong.
+  bool add(const std::string& text);
   /// Several lines at once are one input if they can be: what is local in them stays known to the
-  /// rest. Otherwise they are taken as if they were typed, up to the first that goes wrong.
+  /// rest. Otherwise they are taken as if they were typed, up to the first that goes wrong. Of a
+  /// session with its prompts, what rotor answered is passed over.
   bool add_paste(const std::string& text);
   bool evaluate();
   bool explain();  // "?name"

@@ -83,7 +83,7 @@ Extended Run::fixed_axis_angle(double t) const {
 State Run::operator()(double t) const {
   const auto [low, high] = std::minmax({t0(), t1()});
   if (!(t >= low && t <= high)) {
-    throw std::out_of_range("run: t = " + text(t) + " is outside the run, " + text(t0()) + " .. " +
+    throw std::out_of_range("t = " + text(t) + " is outside the run, " + text(t0()) + " .. " +
                             text(t1()));
   }
   State state;
@@ -260,6 +260,14 @@ void Run::find_crossings() {
         look_between(samples[first].first, samples[first + 1].first);
       }
     }
+  }
+}
+
+void visit_states(const Run& run, std::span<const double> times, const Observer& observer,
+                  const std::function<void(const State&)>& visit) {
+  for (const double t : times) {
+    if (observer && !observer(t)) throw Interrupted();
+    visit(run(t));
   }
 }
 

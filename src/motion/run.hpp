@@ -1,7 +1,8 @@
 // The run and its states: the motion of one start, with axis and angle that go on continuously.
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "integrate/propagator.hpp"
@@ -47,6 +48,7 @@ class Run {
   double t1() const { return propagator_.t1; }
   const Rotation& from() const { return from_; }
   const Propagator& propagator() const { return propagator_; }
+  const AngularVelocity& driver() const { return omega_; }
   bool complete() const { return !propagator_.stop; }
   /// In the order of the motion. About a fixed axis they are made on demand; throws
   /// std::length_error where there are more than a million.
@@ -86,6 +88,11 @@ class Run {
   Vector axis_;  // the axis of the start; about a fixed axis, of the whole motion
   std::vector<Crossing> crossings_;
 };
+
+/// Calls `visit` with the states at the times; stops by throwing Interrupted where the observer
+/// says so.
+void visit_states(const Run& run, std::span<const double> times, const Observer& observer,
+                  const std::function<void(const State&)>& visit);
 
 /// Runs the scene from `from` to its end, or to where it stopped (propagator().stop).
 Run evolve(const Scene& scene, const Rotation& from, const Observer& observer = {});

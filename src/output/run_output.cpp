@@ -26,6 +26,7 @@ Json provenance(const Run& run, std::size_t rows, const Columns& columns,
       {"columns", list},
       {"conventions",
        "active rotations; omega in the space frame; quaternion scalar first; angles in radians"},
+      {"omega", run.driver().description()},
       {"t", JsonArray{run.t0(), run.t1()}},
       {"from", JsonObject{{"axis", JsonArray{axis.x(), axis.y(), axis.z()}},
                           {"angle", run.from().angle()}}},
@@ -42,14 +43,15 @@ Json provenance(const Run& run, std::size_t rows, const Columns& columns,
 }  // namespace
 
 bool write_csv(const Run& run, std::span<const double> times, const Columns& columns,
-               const std::filesystem::path& file, const std::string& scene) {
+               const std::filesystem::path& file, const std::string& scene,
+               const Observer& observer) {
   CsvWriter writer(file, columns.headers());
   std::vector<double> values;
-  for (const double t : times) {
+  visit_states(run, times, observer, [&](const State& state) {
     values.clear();
-    columns.values(run, run(t), values);
+    columns.values(run, state, values);
     writer.row(values);
-  }
+  });
   writer.commit();
   if (!std::filesystem::is_regular_file(file)) return false;
   std::filesystem::path json = file;
@@ -59,28 +61,28 @@ bool write_csv(const Run& run, std::span<const double> times, const Columns& col
 }
 
 std::string table(const Run& run, std::span<const double> times, const Columns& columns,
-                  const std::function<std::string(double)>& number) {
+                  const std::function<std::string(double)>& number, const Observer& observer) {
   std::vector<std::vector<std::string>> rows;
   std::vector<double> values;
-  for (const double t : times) {
+  visit_states(run, times, observer, [&](const State& state) {
     values.clear();
-    columns.values(run, run(t), values);
+    columns.values(run, state, values);
     std::vector<std::string>& row = rows.emplace_back();
     for (const double value : values) row.push_back(number(value));
-  }
+  });
   return table(columns.headers(), rows);
 }
 
 std::string plot(const Run& run, std::span<const double> times, const Columns& columns,
-                 PlotOptions options) {
+                 PlotOptions options, const Observer& observer) {
   std::vector<Series> series;
   for (const Column& column : columns.list()) series.push_back({column.header, {}});
   std::vector<double> values;
-  for (const double t : times) {
+  visit_states(run, times, observer, [&](const State& state) {
     values.clear();
-    columns.values(run, run(t), values);
+    columns.values(run, state, values);
     for (std::size_t i = 0; i < values.size(); ++i) series[i].y.push_back(values[i]);
-  }
+  });
   if (options.x_label.empty()) options.x_label = "t";
   return plot(times, series, options);
 }

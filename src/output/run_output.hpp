@@ -1,4 +1,5 @@
-// A run as a CSV file and as a picture.
+// A run as a CSV file, as a table and as a picture. An observer that says no stops them:
+// Interrupted.
 #pragma once
 
 #include <filesystem>
@@ -18,14 +19,15 @@ namespace rotor {
 /// terminal) the table alone is written, and the answer is false. Throws std::system_error if a
 /// file cannot be written.
 bool write_csv(const Run& run, std::span<const double> times, const Columns& columns,
-               const std::filesystem::path& file, const std::string& scene);
+               const std::filesystem::path& file, const std::string& scene,
+               const Observer& observer = {});
 
 /// Columns at the times as an aligned table for people; `number` writes the numbers.
 std::string table(const Run& run, std::span<const double> times, const Columns& columns,
-                  const std::function<std::string(double)>& number);
+                  const std::function<std::string(double)>& number, const Observer& observer = {});
 
 /// Columns over time as an ASCII plot.
 std::string plot(const Run& run, std::span<const double> times, const Columns& columns,
-                 PlotOptions options = {});
+                 PlotOptions options = {}, const Observer& observer = {});
 
 }  // namespace rotor

@@ -218,6 +218,13 @@ void throw_bad_argument(lua_State* L, int index, const std::exception& mismatch)
                               "; usage: " + std::string(running_entry(L).signature));
 }
 
+void refuse_more_arguments(lua_State* L, int count) {
+  const Kind kind = running_kind(L);
+  if ((kind != Kind::kFunction && kind != Kind::kMethod) || lua_isnoneornil(L, count + 1)) return;
+  throw std::invalid_argument("one argument too many, " + describe(L, count + 1) +
+                              "; usage: " + running_entry(L).signature);
+}
+
 void register_groups(lua_State* L) {
   make_type<Vector>(L);
   make_type<Rotation>(L);

@@ -46,6 +46,10 @@ void push_error_message(lua_State* L, const char* what);
 /// As a bad argument of the running function.
 [[noreturn]] void throw_bad_argument(lua_State* L, int index, const std::exception& mismatch);
 
+/// More arguments than a function or method takes are an error (an operator gets what Lua gives
+/// it).
+void refuse_more_arguments(lua_State* L, int count);
+
 template <class A>
 auto argument(lua_State* L, int index) -> decltype(Convert<A>::get(L, index)) {
   try {
@@ -68,6 +72,7 @@ int push_result(lua_State* L, R&& result) {
 
 template <auto F, class R, class... A, std::size_t... I>
 int call_with_arguments(lua_State* L, std::index_sequence<I...>) {
+  refuse_more_arguments(L, static_cast<int>(sizeof...(A)));
   // Braces: the arguments are converted from left to right.
   using Tuple = std::tuple<decltype(Convert<std::remove_cvref_t<A>>::get(L, 0))...>;
   Tuple arguments{argument<std::remove_cvref_t<A>>(L, static_cast<int>(I) + 1)...};

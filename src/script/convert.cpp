@@ -6,11 +6,12 @@
 namespace rotor::script {
 namespace {
 
-// The three numbers of a table {x, y, z}.
-Vector vector_of_table(lua_State* L, int index, const char* expected) {
-  if (!lua_istable(L, index) || lua_rawlen(L, index) != 3) throw Mismatch(L, index, expected);
-  Vector v;
-  for (int i = 0; i < 3; ++i) {
+// The N numbers of a table {x, y, ...}.
+template <int N>
+Eigen::Matrix<double, N, 1> numbers_of_table(lua_State* L, int index, const char* expected) {
+  if (!lua_istable(L, index) || lua_rawlen(L, index) != N) throw Mismatch(L, index, expected);
+  Eigen::Matrix<double, N, 1> v;
+  for (int i = 0; i < N; ++i) {
     if (lua_rawgeti(L, index, i + 1) != LUA_TNUMBER) {
       throw Mismatch("expected " + std::string(expected) + ", got one whose item " +
                      std::to_string(i + 1) + " is " + describe(L, -1));
@@ -75,7 +76,13 @@ std::string metatable_key(const char* type) { return std::string("rotor.") + typ
 
 Vector Convert<Vector>::get(lua_State* L, int index) {
   if (const Vector* v = test_user_value<Vector>(L, index)) return *v;
-  return vector_of_table(L, lua_absindex(L, index), "a vec or {x, y, z}");
+  return numbers_of_table<3>(L, lua_absindex(L, index), "a vec or {x, y, z}");
+}
+
+Quaternion Convert<Quaternion>::get(lua_State* L, int index) {
+  if (const Quaternion* q = test_user_value<Quaternion>(L, index)) return *q;
+  const auto c = numbers_of_table<4>(L, lua_absindex(L, index), "a quaternion or {w, x, y, z}");
+  return {c(0), c(1), c(2), c(3)};
 }
 
 Matrix Convert<Matrix>::get(lua_State* L, int index) {
@@ -84,7 +91,7 @@ Matrix Convert<Matrix>::get(lua_State* L, int index) {
   Matrix m;
   for (int i = 0; i < 3; ++i) {
     lua_rawgeti(L, index, i + 1);
-    m.row(i) = vector_of_table(L, lua_gettop(L), "a matrix row of three numbers").transpose();
+    m.row(i) = numbers_of_table<3>(L, lua_gettop(L), "a matrix row of three numbers").transpose();
     lua_pop(L, 1);
   }
   return m;

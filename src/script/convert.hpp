@@ -100,6 +100,12 @@ struct Convert<Vector> : ConvertUser<Vector> {
   static Vector get(lua_State* L, int index);
 };
 
+/// quaternion or {w, x, y, z}.
+template <>
+struct Convert<Quaternion> : ConvertUser<Quaternion> {
+  static Quaternion get(lua_State* L, int index);
+};
+
 /// A table of three rows of three numbers; pushed with the metatable "matrix".
 template <>
 struct Convert<Matrix> {

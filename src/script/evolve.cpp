@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "rotation/text.hpp"
-#include "script/interrupt.hpp"
 #include "script/lua_value.hpp"
 #include "script/options.hpp"
 #include "script/progress.hpp"
@@ -54,8 +53,8 @@ void set_interval(const Options& options, Scene& scene) {
     return;
   }
   if (interval->size() != 2) {
-    throw std::invalid_argument("t: expected {t0, t1}, got " + std::to_string(interval->size()) +
-                                " numbers");
+    throw std::invalid_argument("t: expected {t0, t1}, got a list of " +
+                                std::to_string(interval->size()));
   }
   scene.t0 = interval->front();
   scene.t1 = interval->back();
@@ -126,12 +125,7 @@ SharedRun evolve_options(lua_State* L) {
   const Options options(L, 1, kEvolve);
   const Scene scene = scene_of(L, options);
   const Rotation from = options.get<Rotation>("from").value_or(Rotation());
-  Progress progress;
-  const auto observer = [&](double t) {
-    progress.show((t - scene.t0) / (scene.t1 - scene.t0));
-    return !interrupt_pending();
-  };
-  const auto run = std::make_shared<const Run>(evolve(scene, from, observer));
+  const auto run = std::make_shared<const Run>(evolve(scene, from, watching(scene.t0, scene.t1)));
   if (!run->complete()) raise_stop(L, run, scene);
   return run;
 }

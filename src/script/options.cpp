@@ -42,8 +42,8 @@ Options::Options(lua_State* L, int index, const char* signature)
   const int keys = lua_gettop(L);
   for (lua_pushnil(L); lua_next(L, index_) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) {
-      throw std::invalid_argument("options are named, got the item " + describe(L, -2) + ": " +
-                                  describe(L, -1) + "; usage: " + signature);
+      throw std::invalid_argument(
+          std::string("options are named, {key = value}, got a list; usage: ") + signature);
     }
     const std::string key = lua_tostring(L, -2);
     lua_pushvalue(L, -2);

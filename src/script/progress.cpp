@@ -3,6 +3,9 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <memory>
+
+#include "script/interrupt.hpp"
 
 namespace rotor::script {
 
@@ -20,6 +23,13 @@ void Progress::show(double part) {
   shown_ = true;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   std::fprintf(stderr, "\r%5.1f %%  %.0f s left   ", 100 * part, elapsed * (1 - part) / part);
+}
+
+Observer watching(double t0, double t1) {
+  return [t0, t1, progress = std::make_shared<Progress>()](double t) {
+    progress->show((t - t0) / (t1 - t0));
+    return !interrupt_pending();
+  };
 }
 
 }  // namespace rotor::script

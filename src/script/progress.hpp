@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "integrate/loop.hpp"
+
 namespace rotor::script {
 
 /// Shows the part done and the time left on stderr: only on a terminal, after one second, five
@@ -24,5 +26,8 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_ + std::chrono::seconds(1);
 };
+
+/// An observer for work from t0 to t1: shows the progress, and says no once Ctrl-C came.
+Observer watching(double t0, double t1);
 
 }  // namespace rotor::script

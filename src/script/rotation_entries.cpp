@@ -15,10 +15,14 @@ Rotation make_rotation(const Vector& axis, double angle) { return {axis, angle};
 Rotation identity() { return {}; }
 
 Results of_quaternion(lua_State* L) {
-  const Quaternion q = test_user_value<Quaternion>(L, 1) != nullptr
-                           ? argument<Quaternion>(L, 1)
-                           : Quaternion(argument<double>(L, 1), argument<double>(L, 2),
-                                        argument<double>(L, 3), argument<double>(L, 4));
+  if (lua_type(L, 1) != LUA_TNUMBER) {
+    Convert<Rotation>::push(L, from_quaternion(argument<Quaternion>(L, 1)));
+    return {1};
+  }
+  const auto w = argument<double>(L, 1);
+  const auto x = argument<double>(L, 2);
+  const auto y = argument<double>(L, 3);
+  const Quaternion q(w, x, y, argument<double>(L, 4));
   Convert<Rotation>::push(L, from_quaternion(q));
   return {1};
 }
@@ -37,11 +41,12 @@ Results multiply(lua_State* L) {
   const Rotation& second = argument<Rotation>(L, 1);
   if (const Rotation* first = test_user_value<Rotation>(L, 2)) {
     Convert<Rotation>::push(L, second * *first);
-  } else if (lua_istable(L, 2) || test_user_value<Vector>(L, 2) != nullptr) {
+  } else if (test_user_value<Vector>(L, 2) != nullptr ||
+             (lua_istable(L, 2) && lua_rawgeti(L, 2, 1) == LUA_TNUMBER)) {
     Convert<Vector>::push(L, second * argument<Vector>(L, 2));
   } else {
     throw std::invalid_argument("expected a rotation or a vector on the right, got " +
-                                describe(L, 2));
+                                describe(L, 2) + "; R:rotate(points) takes a list of points");
   }
   return {1};
 }
@@ -79,14 +84,15 @@ std::vector<Vector> rotate(const Rotation& r, const std::vector<Vector>& points)
 
 constexpr const char* kSlerp = "slerp(R, S, s, {way=}) -> rotation";
 Results slerp_at(lua_State* L) {
+  const Rotation& r = argument<Rotation>(L, 1);
+  const Rotation& s = argument<Rotation>(L, 2);
+  const double fraction = argument<double>(L, 3);
   const Options options(L, 4, kSlerp);
   const std::string way = options.get<std::string>("way").value_or("short");
   if (way != "short" && way != "long") {
     throw std::invalid_argument("way: expected \"short\" or \"long\", got \"" + way + "\"");
   }
-  Convert<Rotation>::push(
-      L, slerp(argument<Rotation>(L, 1), argument<Rotation>(L, 2), argument<double>(L, 3),
-               way == "short" ? Way::kShort : Way::kLong));
+  Convert<Rotation>::push(L, slerp(r, s, fraction, way == "short" ? Way::kShort : Way::kLong));
   return {1};
 }
 
@@ -105,9 +111,9 @@ constexpr Entry kFunctions[] = {
 
 constexpr Entry kStatics[] = {
     {"from_quaternion", bound<of_quaternion>, "rotation.from_quaternion(w, x, y, z) -> rotation",
-     "From a unit quaternion, scalar first, or a quaternion value; unit to 1e-6, then normalised. "
-     "The angle is in "
-     "[0, 2 pi]: q and -q are the same operator, a turn apart.",
+     "From a unit quaternion, scalar first: four numbers, a quaternion or {w, x, y, z}; unit to "
+     "1e-6, then "
+     "normalised. The angle is in [0, 2 pi]: q and -q are the same operator, a turn apart.",
      "rotation.from_quaternion(0, 0, 0, 1) --> rotation  angle 3.141592653589793 rad (180.0 deg)  "
      "axis (0.0, 0.0, 1.0)"},
     {"from_matrix", bound<from_matrix>, "rotation.from_matrix(m) -> rotation",
@@ -189,10 +195,11 @@ constexpr Entry kMethods[] = {
 
 constexpr Entry kOperators[] = {
     {"__mul", bound<multiply>, "R * S -> rotation",
-     "Composition, S first, by Rodrigues' formula [P11, P12]; the angle is in [0, 2 pi]. R * v "
-     "rotates a vector "
-     "[P3].",
+     "Composition, S first, by Rodrigues' formula [P11, P12]; the angle is in [0, 2 pi].",
      "(rotation({0, 0, 1}, 1) * rotation({0, 0, 1}, 2)).angle --> 3.0"},
+    {"__mul", bound<multiply>, "R * v -> vec",
+     "The vector v rotated, by Rodrigues' formula [P3, N4].",
+     "rotation({0, 0, 1}, 0) * {1, 2, 3} --> vec(1.0, 2.0, 3.0)"},
     {"__pow", bound<power>, "R ^ x -> rotation", "Same axis, angle times x.",
      "(rotation({0, 0, 1}, 1) ^ 10).angle --> 10.0"},
     {"__eq", bound<equal>, "R == S -> boolean", "Same axis and same angle; see R:same_operator(S).",

@@ -11,6 +11,7 @@
 #include "script/binding.hpp"
 #include "script/evolve.hpp"
 #include "script/options.hpp"
+#include "script/progress.hpp"
 #include "script/show.hpp"
 
 namespace rotor::script {
@@ -59,10 +60,11 @@ Results sample(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const std::vector<double> times = times_of(Options(L, 2, kSample), *run);
   lua_createtable(L, static_cast<int>(times.size()), 0);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    Convert<RunState>::push(L, {run, (*run)(times[i])});
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  lua_Integer count = 0;
+  visit_states(*run, times, watching(run->t0(), run->t1()), [&](const State& state) {
+    Convert<RunState>::push(L, {run, state});
+    lua_rawseti(L, -2, ++count);
+  });
   return {1};
 }
 
@@ -80,9 +82,14 @@ Results csv(lua_State* L) {
   const std::string file = argument<std::string>(L, 2);
   const Options options(L, 3, kCsv);
   const std::vector<double> times = times_of(options, *run);
-  const auto names = options.get<std::vector<std::string>>("columns");
-  const Columns columns(names ? std::span<const std::string>(*names) : Columns::standard());
-  const bool with_json = write_csv(*run, times, columns, file, scene_name(L));
+  std::vector<std::string> names(Columns::standard().begin(), Columns::standard().end());
+  if (options.has("columns")) {
+    options.push("columns");
+    names = names_at(L, lua_gettop(L));
+  }
+  const Columns columns(names);
+  const bool with_json =
+      write_csv(*run, times, columns, file, scene_name(L), watching(run->t0(), run->t1()));
   const std::string message = "wrote " + file + " (" + std::to_string(times.size()) + " rows)" +
                               (with_json ? " and " + file + ".json" : "");
   print(L, message);
@@ -98,7 +105,8 @@ Results plot_entry(lua_State* L) {
   look.title = options.get<std::string>("title").value_or("");
   look.width = static_cast<int>(options.get<std::size_t>("width").value_or(80));
   look.height = static_cast<int>(options.get<std::size_t>("height").value_or(20));
-  print(L, plot(*run, times_of(options, *run), Columns(names), look));
+  print(L,
+        plot(*run, times_of(options, *run), Columns(names), look, watching(run->t0(), run->t1())));
   return {0};
 }
 
@@ -109,7 +117,8 @@ Results table_entry(lua_State* L) {
   names.insert(names.begin(), "t");
   const Options options(L, 3, kTable);
   const auto number = [](double x) { return shown(x); };
-  print(L, table(*run, times_of(options, *run, 11), Columns(names), number));
+  print(L, table(*run, times_of(options, *run, 11), Columns(names), number,
+                 watching(run->t0(), run->t1())));
   return {0};
 }
 
@@ -144,6 +153,9 @@ std::string text_of_run(const SharedRun& run) {
                      " (" + p.why + ")\n     " + std::to_string(p.cost.steps) + " steps  " +
                      std::to_string(p.cost.omega_calls) + " omega calls  error about " +
                      rotor::text(p.error_estimate, 2);
+  if (p.accuracy > 0 && p.error_estimate > p.accuracy) {
+    text += ", more than the " + rotor::text(p.accuracy, 2) + " asked for";
+  }
   if (!run->complete()) text += "\n     incomplete: " + p.stop->reason;
   return text;
 }
@@ -246,7 +258,11 @@ constexpr Entry kFields[] = {
 
 constexpr Entry kOperators[] = {
     {"__call", bound<state_at>, "run(t) -> state",
-     "The state at t, with axis and angle that go on continuously; t outside the run is an error.",
+     "The state at t, with axis and angle that go on continuously; t outside the run is an error. "
+     "The angle "
+     "counts turns where the body passes through the attitude that is angle 0; where it passes it "
+     "by, the angle "
+     "turns back before 2 pi and the axis swings over.",
      ROTOR_RUN "(2).angle --> 2.0"},
     {"__tostring", bound<text_of_run>, "tostring(run) -> string",
      "The text under which the terminal shows it.", "#tostring(" ROTOR_RUN ") > 0 --> true"},

@@ -35,48 +35,62 @@ bool is_name(const std::string& s) {
          (s[0] < '0' || s[0] > '9');
 }
 
-std::string shown_value(lua_State* L, int index);
+constexpr int kDepth = 3;           // of tables within tables that are written out
+constexpr std::size_t kItems = 20;  // of a table, at most
 
-// {1, 2, name = 3}: the list first, the rest sorted; what goes past the width is "...". Tables
-// within are written in short.
-std::string shown_table(lua_State* L, int index) {
-  std::vector<std::string> items;
+std::string shown_value(lua_State* L, int index, int depth);
+
+// The items of a table: the list first, then "name = value" sorted; at most kItems and how many
+// more.
+std::vector<std::string> shown_items(lua_State* L, int index, int depth) {
+  std::vector<std::string> list;
+  std::vector<std::string> named;
   const auto size = static_cast<lua_Integer>(lua_rawlen(L, index));
-  const auto add = [&](const std::string& prefix) {
-    items.push_back(prefix +
-                    (lua_istable(L, -1) && luaL_getmetafield(L, -1, "__tostring") == LUA_TNIL
-                         ? "{...}"
-                         : shown_value(L, lua_gettop(L))));
-  };
-  for (lua_Integer i = 1; i <= size && items.size() < 40; ++i) {
-    const int top = lua_gettop(L);
+  for (lua_Integer i = 1; i <= size && list.size() < kItems; ++i) {
     lua_rawgeti(L, index, i);
-    add("");
-    lua_settop(L, top);
+    list.push_back(shown_value(L, lua_gettop(L), depth + 1));
+    lua_pop(L, 1);
   }
-  std::vector<std::string> list = std::move(items);
-  items.clear();
-  for (lua_pushnil(L); lua_next(L, index) != 0;) {
-    const int top = lua_gettop(L);
-    const bool in_list =
-        lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= size;
-    if (!in_list) {
-      const std::string key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
-      add((is_name(key) ? key : "[" + shown_value(L, top - 1) + "]") + " = ");
+  if (size > static_cast<lua_Integer>(kItems)) {
+    list.push_back("... (" + std::to_string(size) + " items)");
+  }
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+    if (lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= size) continue;
+    if (named.size() == kItems) {
+      named.emplace_back("...");
+      lua_pop(L, 2);
+      break;
     }
-    lua_settop(L, top - 1);
+    const int value = lua_gettop(L);
+    const std::string key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
+    const std::string name = is_name(key) ? key : "[" + shown_value(L, value - 1, depth + 1) + "]";
+    named.push_back(name + " = " + shown_value(L, value, depth + 1));
   }
-  std::sort(items.begin(), items.end());
-  list.insert(list.end(), items.begin(), items.end());
-  std::string text = "{";
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (text.size() + list[i].size() > kWidth - 6) return text + "...}";
-    text += list[i] + (i + 1 < list.size() ? ", " : "");
-  }
-  return text + "}";
+  std::sort(named.begin(), named.end());
+  list.insert(list.end(), named.begin(), named.end());
+  return list;
 }
 
-std::string shown_value(lua_State* L, int index) {
+// {1, 2, name = 3} in one line where it fits, else an item a line.
+std::string shown_table(lua_State* L, int index, int depth) {
+  if (depth == kDepth) return "{...}";
+  luaL_checkstack(L, 16, "too many tables within tables");
+  const std::vector<std::string> items = shown_items(L, index, depth);
+  std::string line = "{";
+  std::string lines = "{";
+  const std::string indent(2 * static_cast<std::size_t>(depth + 1), ' ');
+  for (const std::string& item : items) {
+    line += (line.size() > 1 ? ", " : "") + item;
+    lines += "\n" + indent;
+    for (const char c : item) lines += c == '\n' ? "\n" + indent : std::string(1, c);
+    lines += ",";
+  }
+  line += "}";
+  const bool fits = line.find('\n') == line.npos && line.size() + indent.size() <= kWidth;
+  return fits ? line : lines + "\n" + indent.substr(2) + "}";
+}
+
+std::string shown_value(lua_State* L, int index, int depth) {
   switch (lua_type(L, index)) {
     case LUA_TNUMBER:
       if (!lua_isinteger(L, index)) return shown(lua_tonumber(L, index));
@@ -87,7 +101,8 @@ std::string shown_value(lua_State* L, int index) {
       return quoted({s, size});
     }
     case LUA_TTABLE:
-      if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL) return shown_table(L, index);
+      if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
+        return shown_table(L, index, depth);
       lua_pop(L, 1);
       break;
     default:
@@ -122,7 +137,7 @@ std::string shown_axis_angle(const Vector& axis, double angle, std::size_t inden
 }
 
 void push_shown(lua_State* L, int index) {
-  const std::string text = shown_value(L, lua_absindex(L, index));
+  const std::string text = shown_value(L, lua_absindex(L, index), 0);
   lua_pushlstring(L, text.data(), text.size());
 }
 

@@ -15,6 +15,11 @@ AngularVelocity::AngularVelocity(const Vector& constant) : value_(constant) {
 AngularVelocity::AngularVelocity(Function function, std::string name)
     : value_(std::move(function)), name_(std::move(name)) {}
 
+std::string AngularVelocity::description() const {
+  const Vector* value = constant();
+  return value == nullptr ? name_ : text(*value);
+}
+
 Vector AngularVelocity::operator()(double t) const {
   if (const Vector* value = constant()) return *value;
   const Vector omega = std::get<Function>(value_)(t);

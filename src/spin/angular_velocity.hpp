@@ -24,6 +24,9 @@ class AngularVelocity {
   /// NonFiniteOmega.
   Vector operator()(double t) const;
 
+  /// The constant "(x, y, z)", or the name of the function.
+  std::string description() const;
+
   /// The value where it is known to be constant, else null.
   const Vector* constant() const { return std::get_if<Vector>(&value_); }
 

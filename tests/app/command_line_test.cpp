@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <sstream>
 #include <string>
 
 #include "app/temporary.hpp"
@@ -142,6 +143,34 @@ TEST_CASE("an error in a script names the script and its line") {
       "script.lua:3: attempt to index a nil value (global 'nowhere')\nstack traceback:", 1);
 }
 
+TEST_CASE("an error about a global that is not there names the one that may be meant") {
+  check_contains("rotor -e 'eovlve{}'",
+                 "(global 'eovlve'); did you mean 'evolve'?\nstack traceback:", 1);
+  check_contains("rotor -e 'my_value = 1 x = my_vlaue + 1'", "; did you mean 'my_value'?\n", 1);
+  check_contains("rotor -e 'unlike_anything()'", "(global 'unlike_anything')\nstack", 1);
+  check("rotor -e 'print(getmetatable(_G), eovlve)'", "nil\tnil\n");
+}
+
+TEST_CASE("a traceback leaves out the inside of rotor's modules") {
+  check("rotor -e 'local function f() near(1, 2, 0.5) end f()'",
+        "rotor: (command line):1: near: the value: predicted 1, measured 2, difference 1.0e+00, "
+        "tolerance 5.0e-01\nstack traceback:\n\t(command line):1: in local 'f'\n"
+        "\t(command line):1: in main chunk\n\t[C]: in ?\n",
+        1);
+  const TemporaryDirectory directory;
+  directory.write("rotor.lua", "error('mine')");
+  check_contains("cd " + directory.file("") + " && rotor rotor.lua",
+                 "\trotor.lua:1: in main chunk\n", 1);
+}
+
+TEST_CASE("the banner fits into 80 columns") {
+  std::istringstream lines(shell("rotor -i").output);
+  for (std::string line; std::getline(lines, line);) {
+    CAPTURE(line);
+    CHECK(line.size() <= 80);
+  }
+}
+
 TEST_CASE("standard input is one chunk") {
   check("printf 'local x = 1\\nprint(x)\\n' | rotor", "1\n");
   check("printf 'print(...)' | rotor - a b", "a\tb\n");
@@ -167,6 +196,19 @@ TEST_CASE("at the prompt, ? is help") {
   check_contains("echo '?' | rotor -q -i", "slerp", 0);
   check_contains("echo ' ? slerp ' | rotor -q -i", "rotor> slerp(", 0);
   check_contains("echo '?rotation.from_mrp' | rotor -q -i", "rotor> rotation.from_mrp(", 0);
+  CHECK(shell("echo 'help ' | rotor -q -i").output == shell("echo '?' | rotor -q -i").output);
+  check("printf 'help = 5\\nhelp\\n' | rotor -q -i", "rotor> rotor> 5\nrotor> \n");
+}
+
+TEST_CASE("at the prompt, quit and exit tell how to leave, unless they are variables") {
+  check("printf 'quit\\nexit \\n' | rotor -q -i",
+        "rotor> Ctrl-D quits\nrotor> Ctrl-D quits\nrotor> \n");
+  check("printf 'quit = 5\\nquit\\n' | rotor -q -i", "rotor> rotor> 5\nrotor> \n");
+}
+
+TEST_CASE("at the prompt, a line may begin with a prompt") {
+  check("printf '  rotor> 1 +\\n   ..>\\n   ..> 2\\nrotor>\\n' | rotor -q -i",
+        "rotor>    ..>    ..> 3\nrotor> rotor> \n");
 }
 
 TEST_CASE("what does not reach standard output is an error") {

@@ -248,6 +248,29 @@ TEST_CASE("TAB completes a name and a field") {
   ask(rotor, "1 + (my_long_table.my_lo\t)", "43");
 }
 
+TEST_CASE("TAB TAB lists what may stand at the cursor") {
+  Pty rotor;
+  expect(rotor, kPrompt);
+  rotor.type_line("my_table = {apple = 1, cherry = 2}");
+  expect(rotor, kPrompt);
+  rotor.type("my_table.\t\t");
+  expect(rotor, "\r\napple ");
+  expect(rotor, "cherry");
+  expect(rotor, kPrompt + "my_table.");
+  rotor.type("c\t\r");
+  expect(rotor, kAnswer + "2\r\n");
+}
+
+TEST_CASE("a list too long for the screen is shown without a question") {
+  Pty rotor({"-c", "stty rows 10 cols 80; exec " ROTOR_BINARY " -q"}, {}, "/bin/sh");
+  expect(rotor, kPrompt);
+  rotor.type_line("t = {} for i = 100, 400 do t['n' .. i] = i end");
+  expect(rotor, kPrompt);
+  rotor.type("t.\t\t");
+  expect(rotor, "n400");
+  expect(rotor, kPrompt + "t.n");
+}
+
 TEST_CASE("TAB indents where there is nothing to complete") {
   Pty rotor;
   expect(rotor, kPrompt);
@@ -275,6 +298,38 @@ TEST_CASE("a paste of several lines") {
     expect(rotor, kPrompt);
     ask(rotor, "y", "nil");
   }
+}
+
+TEST_CASE("of a session that is pasted with its prompts, what was typed is run") {
+  Pty rotor;
+  expect(rotor, kPrompt);
+  // The inputs are apart: as one chunk, x + 1 would be the start of a call.
+  rotor.type(
+      "\x1b[200~rotor> x = 20\nrotor> x + 1\n21\nrotor> for i = 1, 1 do\n   ..>\n"
+      "   ..>   print(x + i + 1)\n   ..> end\n22\nrotor> x + 3\nnot (Lua\x1b[201~\r");
+  expect(rotor, kAnswer + "21\r\n22\r\n23\r\n");
+  expect(rotor, kPrompt);
+  ask(rotor, kPrompt + "6 * 7", "42");
+}
+
+TEST_CASE("at the prompt, messages break between words at the terminal's width") {
+  Pty rotor({"-c", "stty cols 30; exec " ROTOR_BINARY " -q"}, {}, "/bin/sh");
+  expect(rotor, kPrompt);
+  rotor.type_line("q = ('ω'):rep(9)");
+  expect(rotor, kPrompt);
+  // Three words and two spaces take 29 columns and, as bytes, 56; then a word that cannot fit.
+  rotor.type_line("w = q:rep(5, ' ')");
+  expect(rotor, kPrompt);
+  rotor.type_line("z = (' z'):rep(2)");
+  expect(rotor, kPrompt);
+  rotor.type_line("error(w .. z, 0)");
+  const std::string q = "ωωωωωωωωω";
+  expect(rotor, kAnswer + q + " " + q + " " + q + "\r\n" + q + " " + q + " z z\r\n");
+  expect(rotor, kPrompt);
+  rotor.type_line("z = ('z'):rep(40)");
+  expect(rotor, kPrompt);
+  rotor.type_line("error('a ' .. z .. ' b', 0)");
+  expect(rotor, kAnswer + "a\r\n" + std::string(40, 'z') + "\r\nb\r\n");
 }
 
 TEST_CASE("a pipe that breaks does not end the session") {

@@ -143,7 +143,7 @@ TEST_CASE("Options tables refuse unknown keys, with a hint where there is one") 
         "error: test:1: options_of: unknown option 'quite_other'; usage: options_of{first=, "
         "second=}");
   CHECK(lua.run("return options_of{3}") ==
-        "error: test:1: options_of: options are named, got the item number 1: number 3; usage: "
+        "error: test:1: options_of: options are named, {key = value}, got a list; usage: "
         "options_of{first=, second=}");
   CHECK(lua.run("return options_of{first = {}}") ==
         "error: test:1: options_of: first: expected a number, got table of 0 items");

@@ -92,9 +92,38 @@ contains(help.text(print), "manual.html#pdf-print")
 contains(help.text(function() end), "help_test.lua, line")
 contains(help.text(nil), "has no value")
 equal(help.text(3), "A number of your own: 3")
+equal(help.text(2.0), "A number of your own: 2.0")
+equal(help.text(0/0), "A number of your own: nan")
+-- 2^-54 + 2^-2 is 1/4 and one unit of its last place; 1/3 takes 16 digits, 0.1 + 0.2 takes 17.
+for x, digits in pairs { [1/3] = 16, [0.1 + 0.2] = 17, [0.1] = 1, [0.25 + 2^-54] = 17 } do
+  local shown = help.text(x):match "^A number of your own: 0%.(%d+)$"
+  equal(tonumber("0." .. shown), x, "the number can be read back")
+  equal(#shown, digits, "no more digits than it takes")
+end
 equal(help.text(true), "A boolean of your own: true")
 equal(help.text {}, "A table of your own.")
 contains(help.text(untouchable "unheard_of"), "unheard_of", "a type that nobody registered")
+
+-- A variable of the user's that is named as a component or a type is: its value, then what rotor knows of the name.
+local function of_variable(name, value)
+  rawset(_G, name, value)
+  local answer = help.text(name)
+  rawset(_G, name, nil)
+  return answer
+end
+equal(of_variable("axis", 1/3), "A number of your own: 0.3333333333333333\n\n" .. help.text "axis")
+equal(of_variable("axis", false), "A boolean of your own: false\n\n" .. help.text "axis")
+equal(of_variable("run", { 1 }), "A table of your own.\n\n" .. help.text "run")
+equal(of_variable("axis", setmetatable({}, { __name = "vec", __tostring = function() return "vec as text" end })),
+  "A vec of your own:\nvec as text\n\n" .. help.text "axis")
+local own_run = {}
+rawset(_G, "run", own_run)
+equal(help.text(own_run), "A table of your own.", "by value: no library, though a type is named so")
+rawset(_G, "run", nil)
+local of_spin = help.text "spin"
+equal(of_variable("spin", { constant = print }), of_spin, "a library of rotor is not the user's")
+equal(help.text "table":match "^%C+", "run:table(what)", "a library of Lua is not the user's")
+equal(of_variable("zz", 3), "A number of your own: 3", "a name of the user's alone")
 
 -- Unknown names.
 contains(help.text "sler", "Did you mean slerp?")
@@ -103,8 +132,40 @@ contains(help.text "run:cvs", "Did you mean csv?")
 contains(help.text "modified Rodr", "rotation.from_mrp", "words of the summary")
 contains(help.text "t", "more", "a word that is everywhere")
 contains(help.text "%", "There is no name %.", "no pattern")
+for _, word in ipairs { "interpolate", "Interpolation", "blend" } do  -- they stand in no summary
+  contains(help.text(word), "R:slerp(S, s", word)
+  contains(help.text(word), "slerp(R, S, s", word)
+end
+contains(help.text "modified-rodrigues", "from_mrp", "a hyphen is a space")
+for _, word in ipairs { "quit", "exit" } do contains(help.text(word), "Ctrl-D", word) end
 contains(help.text "qqqqqq", "help() lists the names")
 equal(help.text "", help.overview())
+
+-- The operators that lua-language-server knows, by the number of their operands beside the value itself.
+local kOperands = { unm = 0, bnot = 0, len = 0, call = 1, add = 1, sub = 1, mul = 1, div = 1, mod = 1, pow = 1,
+  idiv = 1, band = 1, bor = 1, bxor = 1, shl = 1, shr = 1, concat = 1 }
+
+-- Each operator of the registry is in the stub once, but == and tostring, for which there is no annotation.
+local function check_annotations(stub, entries)
+  local expected, found = 0, 0
+  for _, row in ipairs(entries) do
+    local annotated = row.kind == "operator" and not row.name:find "==" and not row.name:find "^tostring%("
+    expected = expected + (annotated and 1 or 0)
+  end
+  local class
+  for line in stub:gmatch "[^\n]+" do
+    class = line:match "^%-%-%-@class ([%w_]+)$" or class
+    local operator, operand, result = line:match "^%-%-%-@operator (%l+)(.-): (%l+)$"
+    if line:find "@operator" then
+      equal(operand == "" and 0 or operand:find "^%(%l+%)$" and 1, kOperands[operator], line)
+      equal(result ~= "any" and (operand ~= "(any)" or operator == "call"), true, "types in " .. line)
+      found = found + 1
+    elseif line:find "@field" then
+      equal(line:find "^%-%-%-@field [%a_][%w_]* [%w_]+ " or line:find "^%-%-%-@field %[integer%] [%w_]+ ", 1, line)
+    end
+  end
+  equal(found, expected, "operators in the stub")
+end
 
 -- Everything fits 80 columns, the overview a screen.
 local function check_layout(entries)
@@ -118,7 +179,9 @@ local function check_layout(entries)
     local name = row.owner == "" and row.name or row.owner .. "." .. row.name
     contains(fresh.text(name), row.kind == "operator" and row.name or row.name:match "[%w_]+", name)
   end
-  assert(load(fresh.stub(), "=stub", "t", {}))()
+  local stub = fresh.stub()
+  assert(load(stub, "=stub", "t", {}))()
+  check_annotations(stub, entries)
   local reference = fresh.reference()
   for _, row in ipairs(entries) do contains(reference, fresh.usage(row), "reference") end
   return fresh
@@ -127,7 +190,9 @@ local stub = check_layout(support.entries).stub()
 
 for _, piece in ipairs { "---@class rotation\n---@field axis vec The axis, of length 1.",
   "---@operator mul(rotation): rotation\n---@operator mul(vec): vec\n---@operator pow(number): rotation",
-  "---@operator call(any): state", "function rotation_value:slerp(S, s, options) end",
+  "---@operator call(any): state\nlocal run_value", "---@field [integer] number Component i.",
+  "---@operator unm: vec\n---@operator len: number\nlocal vec_value",
+  "function rotation_value:slerp(S, s, options) end",
   "---@return number\n---@return number\n---@return number\nfunction rotation_value:euler_angles",
   "---@overload fun(axis: any, angle: any): rotation\nrotation = {}", "function rotation.from_mrp(p) end",
   "---@param options? { way?: any }\n---@return rotation\nfunction slerp(R, S, s, options) end",
@@ -140,7 +205,19 @@ contains(support.printed(require "rotor.help", "deg"), "pi/180.", "the module pr
 -- Rotor's own registry, where there is one: and what the overview says to type first does work.
 if support.rotor then
   for _, name in ipairs { "slerp", "rotation", "R" } do rawset(_G, name, rotors[name]) end
-  local overview = check_layout(support.rotor).overview()
+  local fresh = check_layout(support.rotor)
+  local overview = fresh.overview()
+  for word, name in pairs { interpolate = "slerp(", convert = "rotation.from_matrix(", compose = "R * S",
+    product = "R * S", degrees = "deg", ["axis-angle"] = "rotation(axis", ["axis angle"] = "rotation(axis",
+    save = "run:csv(", export = "run:csv(", draw = "run:plot(", ["angle between"] = "R:distance(" } do
+    contains(fresh.text(word), name, word)
+  end
+  local full_names = {}
+  for _, row in ipairs(support.rotor) do
+    full_names[(row.owner == "" or row.kind == "operator") and row.name
+      or row.owner .. (row.kind == "method" and ":" or ".") .. row.name] = true
+  end
+  for name in pairs(require "rotor.words") do equal(full_names[name], true, "words for " .. name) end
   local environment = setmetatable({}, { __index = _G })
   local typed = 0
   for line in overview:match "\n(  .-)\n\n":gmatch "[^\n]+" do

@@ -100,6 +100,12 @@ for _, tolerance in ipairs { -1, 0/0, math.huge, "1", false } do
 end
 raises("testing_test.lua", function() testing.near(1, 1) end)
 raises("must be a string, got a number", function() testing.holds(true, 1) end)
+-- Also through the globals of a script, which load this library when they are called first.
+for _, call in ipairs { "near(1, 2, 0.5)", "near(1, 1)", "near(1, 1, 0, 0)", "holds(false)", "holds(true, 1)",
+  "fails(print)", "fails(error, 1)", "fails(error, 'w', 1)", "theorem()", "theorem 'x'" } do
+  local _, message = pcall(assert(load("\n" .. call, "=script")))
+  equal(message:match "^%S+", "script:2:", call)
+end
 raises("its name must be a string, got a function", function() testing.theorem(print) end)
 raises("must follow, got a nil", function() testing.theorem "x" end)
 
