@@ -2,27 +2,54 @@
 
 -- luacheck: ignore 122
 
--- While `f` runs, what Lua code writes to standard output goes to `write`, and os.exit raises { exit = code }.
-local function redirected(write, f)
+local next, rawset = next, rawset  -- what restores the tables must not be looked up in them
+
+-- Copies of all tables that the scripts share, the libraries' among them: { [table] = its fields }.
+local function shared_tables()
+  local copies = {}
+  local function keep(t)
+    if type(t) ~= "table" or copies[t] then return end
+    copies[t] = {}
+    for key, value in next, t do
+      copies[t][key] = value
+      keep(value)
+    end
+  end
+  keep(_G)
+  keep(debug.getmetatable(io.stdout).__index)
+  return copies
+end
+
+-- Undoes what a script changed. It works on the tables themselves, not on copies of its own, so that it sees what it
+-- changed wherever Lua looks: package.path in require, a function added to string as a method of strings.
+local function restore(copies)
+  for t, copy in next, copies do
+    for key in next, t do
+      if copy[key] == nil then rawset(t, key, nil) end
+    end
+    for key, value in next, copy do rawset(t, key, value) end
+  end
+  io.output(io.stdout)
+  io.input(io.stdin)
+end
+
+-- Until restore: what Lua code writes to standard output goes to `write`, and os.exit calls `exit(success)`.
+local function redirect(write, exit)
   local methods = debug.getmetatable(io.stdout).__index
-  local saved = { print = print, io_write = io.write, write = methods.write, exit = os.exit }
+  local file_write = methods.write
   local function print_to(...)
     local parts = table.pack(...)
     for i = 1, parts.n do parts[i] = tostring(parts[i]) end
     write(table.concat(parts, "\t") .. "\n")
   end
   function methods.write(file, ...)
-    if file ~= io.stdout then return saved.write(file, ...) end
+    if file ~= io.stdout then return file_write(file, ...) end
     write(table.concat { ... })
     return file
   end
   function io.write(...) return io.output():write(...) end
-  function os.exit(code) error({ exit = code == nil or code == true or code == 0 }, 0) end
+  function os.exit(code) exit(code == nil or code == true or code == 0) end
   rawset(_G, "print", print_to)
-  local ended, raised = pcall(f)
-  rawset(_G, "print", saved.print)
-  io.write, methods.write, os.exit = saved.io_write, saved.write, saved.exit
-  return ended, raised
 end
 
 -- A string as YAML reads it.
@@ -53,6 +80,7 @@ local function diagnosis(theorem)
 end
 
 return function(files, set_report)
+  local message = require "rotor.testing".message
   local stdout_write, stdout = debug.getmetatable(io.stdout).__index.write, io.stdout
   local count, failed, pending = 0, 0, ""
   local function out(line) stdout_write(stdout, line, "\n") end
@@ -73,24 +101,37 @@ return function(files, set_report)
     out((theorem.pass and "ok " or "not ok ") .. count .. " - " .. name)
     if not theorem.pass then out(diagnosis(theorem)) end
   end
+  stdout:setvbuf "line"  -- so that what a script's os.execute prints comes after what stands before it
   out "TAP version 13"
+  local tables = shared_tables()
   for _, file in ipairs(files) do
     local before = count
+    local exited  -- once the script called os.exit, also if a pcall of its own caught what that raises
     set_report(function(theorem)
-      if type(theorem.raised) == "table" and theorem.raised.exit ~= nil then error(theorem.raised, 0) end
+      if exited then
+        theorem.pass, theorem.problem = false, "os.exit ended the script before the theorem was finished"
+      end
       test(file, theorem)
+      if exited then error(exited, 0) end
+    end)
+    redirect(comment, function(success)
+      exited = { success = success }
+      error(exited, 0)
     end)
     local environment = setmetatable({ arg = { [0] = file } }, { __index = _G })
     environment._G = environment
-    local ended, raised = redirected(comment, function()
+    local ended, raised = pcall(function()
       local chunk, problem = loadfile(file, "bt", environment)
       if not chunk then error(problem, 0) end
       chunk(file)
     end)
+    restore(tables)
     set_report(nil)
-    local problem = not ended and tostring(raised) or nil
-    if type(raised) == "table" and raised.exit ~= nil then
-      problem = not raised.exit and "it ended itself with a status that means failure" or nil
+    local problem
+    if not ended and not rawequal(raised, exited) then
+      problem = message(raised)
+    elseif exited and not exited.success then
+      problem = "it ended itself with a status that means failure"
     end
     if problem or count == before then
       test(file, { name = "runs", pass = not problem, problem = problem, failed = 0, checks = {} })

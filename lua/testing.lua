@@ -29,6 +29,12 @@ local function theorem_here()
   end
 end
 
+--- What was raised, as text.
+function testing.message(raised)
+  local ended, message = pcall(tostring, raised)
+  return ended and message or "(error object whose __tostring fails)"
+end
+
 -- Numbers as text ----------------------------------------------------------------------------------------------------
 
 local function number_text(x, format)
@@ -193,7 +199,7 @@ function testing.fails(f, what, pattern)
     error("fails: the pattern must be a string, got a " .. type(pattern), 2)
   end
   local ended, raised = pcall(f)
-  local message = tostring(raised)
+  local message = testing.message(raised)
   local note
   if ended then
     note = "no error was raised"
@@ -213,7 +219,7 @@ function testing.theorem(name, f)
   local ended, raised = protected(f)
   current = nil
   if not ended then
-    theorem.problem, theorem.raised = "it ended in an error: " .. tostring(raised), raised
+    theorem.problem = "it ended in an error: " .. testing.message(raised)
   elseif #theorem.checks == 0 then
     theorem.problem = "it checked nothing"
   end

@@ -171,6 +171,7 @@ void LineReader::set_up_readline() {
   rl_attempted_completion_function = complete;
   rl_completer_word_break_characters = const_cast<char*>(" \t\n\"\\'><=;+-*/%^~#&|(){}[].:,?");
   rl_bind_key('\t', on_tab);
+  rl_completion_query_items = -1;  // called back, readline asks but does not wait for the answer
   std::signal(SIGCONT, [](int) { resumed = 1; });
 }
 

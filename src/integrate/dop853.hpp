@@ -81,10 +81,11 @@ class Dop853 {
     const double between_allowed = std::max({between_nodes_, allowed, 128 * rounding});
     const double factor = std::min(step_factor(judged, allowed, kDop853Tableau.order),
                                    step_factor(between, between_allowed, kDop853Tableau.order));
-    h_ = std::min(std::abs(h) * factor, max_step_);
+    h_ = std::min(std::abs(h) * (after_rejection_ ? std::min(factor, 1.0) : factor), max_step_);
     // The shortest step is tried before the run is given up.
     if (std::abs(h) > 2 * shortest_step(t)) h_ = std::max(h_, 1.5 * shortest_step(t));
-    if (!(judged <= allowed && between <= between_allowed)) return false;
+    after_rejection_ = !(judged <= allowed && between <= between_allowed);
+    if (after_rejection_) return false;
 
     budget_.spend(judged);
     record(error, rounding);
@@ -200,12 +201,17 @@ class Dop853 {
     const NodeQuadrature& quadrature = node_quadrature();
     StepError error;
     error.integrals = quadrature.weights * defect;
-    // A defect of rounding is a few roundings of h omega, its residual sqrt(5) times that. No jump
-    // can hide more than the defect itself, over the whole step; a fifth more for what it is
-    // between the nodes.
+    // A defect of rounding is a few roundings of h omega, its residual sqrt(5) times that. And no
+    // jump is larger than the range of the samples.
     const double residual = (quadrature.residual * defect).norm();
-    error.doubt = std::min(quadrature.jump * std::max(0.0, residual - 8 * rounding),
-                           1.2 * defect.rowwise().norm().maxCoeff());
+    Vector least = omega[0];
+    Vector most = omega[0];
+    for (const Vector& sample : omega) {
+      least = least.cwiseMin(sample);
+      most = most.cwiseMax(sample);
+    }
+    error.doubt = std::min(quadrature.jump_by_residual * std::max(0.0, residual - 8 * rounding),
+                           quadrature.jump_by_size * std::abs(h) * norm(most - least));
     error.lost_in_rounding = error.at_end().norm() + residual < 16 * rounding;
     return error;
   }
@@ -220,6 +226,7 @@ class Dop853 {
   double t1_;
   double max_step_;
   double h_ = 0;
+  bool after_rejection_ = false;
   Vector error_ = Vector::Zero();
   double greatest_ = 0;
   double doubt_ = 0;

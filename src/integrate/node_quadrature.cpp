@@ -1,6 +1,9 @@
 #include "integrate/node_quadrature.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace rotor {
 namespace {
@@ -32,24 +35,36 @@ Coefficients integrals(double x) {
   return integral;
 }
 
-// Between two neighbouring nodes the samples of a jump do not change and its integral is linear:
-// the greatest errors are at the nodes, from either side.
-double jump_factor(const NodeQuadrature& quadrature) {
-  double greatest = 0;
-  for (std::size_t i = 0; i < 15; ++i) {
-    for (const bool jumped : {false, true}) {
+double row_end(Eigen::Index row) { return row == 0 ? 1 : static_cast<double>(row) / 8; }
+
+// Between two neighbours among the nodes and the ends of the integrals, the samples of a jump do
+// not change and its integrals are linear: the greatest errors are at those places, from either
+// side.
+void find_jump_factors(NodeQuadrature& quadrature) {
+  std::vector<double> places;
+  for (std::size_t i = 0; i < 15; ++i) places.push_back(step_node(i));
+  for (Eigen::Index row = 0; row < 8; ++row) places.push_back(row_end(row));
+  quadrature.jump_by_residual = 0;
+  quadrature.jump_by_size = 0;
+  for (const double place : places) {
+    for (const bool at_place : {false, true}) {
       Eigen::Matrix<double, 15, 1> samples;
       for (std::size_t j = 0; j < 15; ++j) {
-        samples(static_cast<Eigen::Index>(j)) =
-            step_node(j) > step_node(i) || (jumped && j == i) ? 1 : 0;
+        const double x = step_node(j);
+        samples(static_cast<Eigen::Index>(j)) = x > place || (at_place && x == place) ? 1 : 0;
       }
-      const double residual = (quadrature.residual * samples).norm();
-      const double error = std::abs(quadrature.weights.row(0) * samples - (1 - step_node(i)));
+      double error = 0;
+      for (Eigen::Index row = 0; row < 8; ++row) {
+        const double exact = std::max(0.0, row_end(row) - place);
+        error = std::max(error, std::abs(quadrature.weights.row(row) * samples - exact));
+      }
       // A jump at an end leaves nothing to be seen, and nothing to be wrong.
-      if (residual > 1e-12) greatest = std::max(greatest, error / residual);
+      const double residual = (quadrature.residual * samples).norm();
+      if (residual < 1e-12) continue;
+      quadrature.jump_by_residual = std::max(quadrature.jump_by_residual, error / residual);
+      quadrature.jump_by_size = std::max(quadrature.jump_by_size, error);
     }
   }
-  return greatest;
 }
 
 NodeQuadrature make_node_quadrature() {
@@ -65,12 +80,12 @@ NodeQuadrature make_node_quadrature() {
   const Eigen::Matrix<double, kDegree + 1, kDegree + 1> r = qr.matrixQR().topRows<kDegree + 1>();
   NodeQuadrature quadrature;
   for (Eigen::Index row = 0; row < 8; ++row) {
-    const double x = row == 0 ? 1 : static_cast<double>(row) / 8;
-    const Coefficients c = r.triangularView<Eigen::Upper>().transpose().solve(integrals(x));
+    const Coefficients c =
+        r.triangularView<Eigen::Upper>().transpose().solve(integrals(row_end(row)));
     quadrature.weights.row(row) = (q.leftCols<kDegree + 1>() * c).transpose();
   }
   quadrature.residual = q.rightCols<5>().transpose();
-  quadrature.jump = jump_factor(quadrature);
+  find_jump_factors(quadrature);
   return quadrature;
 }
 

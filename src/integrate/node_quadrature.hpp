@@ -20,9 +20,10 @@ struct NodeQuadrature {
   Eigen::Matrix<double, 8, 15> weights;
   /// Orthonormal rows that annihilate the polynomials of degree 9: what is left is not smooth.
   Eigen::Matrix<double, 5, 15> residual;
-  /// The greatest error of the integral over [0, 1] of a function with a jump, wherever it is, in
-  /// units of the norm of its residual.
-  double jump;
+  /// The greatest error of any of the integrals of a function with one jump, wherever it is: in
+  /// units of the norm of its residual, and in units of the jump.
+  double jump_by_residual;
+  double jump_by_size;
 };
 const NodeQuadrature& node_quadrature();
 

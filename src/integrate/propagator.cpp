@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -29,7 +30,8 @@ void check(const Scene& scene) {
           "t must be finite, got " + text(scene.t0) + " .. " + text(scene.t1));
   require(scene.accuracy > 0 && std::isfinite(scene.accuracy),
           "accuracy must be positive, got " + text(scene.accuracy));
-  require(scene.max_step > 0, "max_step must be positive, got " + text(scene.max_step));
+  require(!scene.max_step || *scene.max_step > 0,
+          "max_step must be positive, got " + text(scene.max_step.value_or(0)));
   require(scene.max_steps > 0, "max_steps must be positive, got 0");
   require(!scene.step || (*scene.step > 0 && std::isfinite(*scene.step)),
           "step must be positive, got " + text(scene.step.value_or(0)));
@@ -93,8 +95,10 @@ void rk4(const Scene& scene, const Observer& observer, Propagator& result) {
 
 void dop853(const Scene& scene, const Observer& observer, Propagator& result) {
   result.accuracy = scene.accuracy;
+  const double longest =
+      std::max(std::abs(scene.t1 - scene.t0) / 32, std::numeric_limits<double>::denorm_min());
   run(Dop853<QuaternionEquation>(Sampler(scene.omega, result.cost), kIdentity, scene.t0, scene.t1,
-                                 scene.accuracy, scene.max_step),
+                                 scene.accuracy, scene.max_step.value_or(longest)),
       scene, observer, result);
 }
 

@@ -27,7 +27,9 @@ struct Scene {
   Method method = Method::kAuto;
   /// The step of a fixed-step method; it is shortened so that a whole number of at least two fits.
   std::optional<double> step = std::nullopt;
-  double max_step = std::numeric_limits<double>::infinity();
+  /// The longest step; a 32nd of the interval unless it is given. What omega does between its
+  /// samples, some fifteen a step, is not seen.
+  std::optional<double> max_step = std::nullopt;
   std::size_t max_steps = 1'000'000;
 };
 

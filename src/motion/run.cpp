@@ -52,7 +52,8 @@ double minimise(const Function& f, double a, double b) {
 
 }  // namespace
 
-Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from)
+Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
+         const Observer& observer)
     : omega_(std::move(omega)),
       propagator_(std::move(propagator)),
       from_(from),
@@ -72,7 +73,7 @@ Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from)
       fixed_axis_ = axis_.dot(turn->direction) > 0 ? 1 : -1;
     }
   } else {
-    find_crossings();
+    find_crossings(observer);
   }
 }
 
@@ -149,6 +150,12 @@ Vector Run::limit_of_axis(double t, const Vector& before, const Vector& after,
   return unit(between);
 }
 
+Vector State::mrp() const {
+  const double w = quaternion.w();
+  const Vector m = quaternion.vec();
+  return w > -0.5 ? Vector(m / (1 + w)) : Vector(m * ((1 - w) / m.squaredNorm()));
+}
+
 Rates Run::rates(const State& state, const Vector& omega) const {
   const Vector& n = state.axis;
   const double along = omega.dot(n);
@@ -209,7 +216,7 @@ bool Run::is_zero_of_m(const double (&t)[3], const double (&m)[3]) const {
   return m[1] <= propagator_.error_estimate + 2 * kEpsilon * std::abs(t[1]) * rate;
 }
 
-void Run::find_crossings() {
+void Run::find_crossings(const Observer& observer) {
   const std::vector<double> mesh = propagator_.mesh();
   const auto m = [this](double t) -> Vector { return quaternion(t).vec(); };
   // Sample times: the mesh, eight times finer where |M| could vanish. Within a step the quaternion
@@ -217,7 +224,10 @@ void Run::find_crossings() {
   std::vector<std::pair<double, double>> samples;  // t, |M|
   Quaternion before = quaternion(mesh.front());
   samples.emplace_back(mesh.front(), before.vec().norm());
+  // A run that was stopped keeps what was done: the observer has had its say.
+  const bool watched = observer && !propagator_.stop;
   for (std::size_t i = 1; i < mesh.size(); ++i) {
+    if (watched && !observer(mesh[i])) throw Interrupted();
     const Quaternion after = quaternion(mesh[i]);
     const double least = std::min(before.vec().norm(), after.vec().norm());
     if (least <= 2 * (after.coeffs() - before.coeffs()).norm()) {
@@ -236,6 +246,9 @@ void Run::find_crossings() {
     const Vector b = m(tb);
     const double t = minimise([&](double s) { return m(s).norm(); }, ta, tb);
     if (!is_zero_of_m({ta, t, tb}, {a.norm(), m(t).norm(), b.norm()})) return;
+    // A body at rest there passes through nothing; the ends of a run may well lie that near.
+    const bool inside = ta != samples.front().first && tb != samples.back().first;
+    if (inside && std::min(a.norm(), b.norm()) <= propagator_.error_estimate) return;
     // M itself tells the case [theory 3]: it went through the origin, or turned back.
     const bool through = a.dot(b) < 0;
     const double step = !through ? 0 : sign_of_turn(turn) * quaternion(t).w() < 0 ? 1 : -1;
@@ -246,6 +259,7 @@ void Run::find_crossings() {
   };
   const std::size_t last = samples.size() - 1;
   for (std::size_t i = 0; i <= last && last > 0; ++i) {
+    if (watched && !observer(samples[i].first)) throw Interrupted();
     const auto [t, size] = samples[i];
     if (i > 0 && i < last) {
       if (size <= samples[i - 1].second && size < samples[i + 1].second) {
@@ -272,7 +286,7 @@ void visit_states(const Run& run, std::span<const double> times, const Observer&
 }
 
 Run evolve(const Scene& scene, const Rotation& from, const Observer& observer) {
-  return {scene.omega, propagate(scene, observer), from};
+  return {scene.omega, propagate(scene, observer), from, observer};
 }
 
 }  // namespace rotor

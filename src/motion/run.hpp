@@ -18,9 +18,18 @@ struct State {
   Vector axis;            // unit
   Quaternion quaternion;  // (cos angle/2, axis sin angle/2), continuous
 
+  /// The angle of a rotation is rounded to a double: after many turns that, not the run, is what
+  /// limits it as an operator. The faces below come from the quaternion.
   Rotation rotation() const { return {axis, angle}; }
   /// E = axis * angle.
   Vector euler_vector() const { return axis * angle; }
+  Matrix matrix() const { return quaternion.toRotationMatrix(); }
+  /// M = n sin(theta/2).
+  Vector modified_gibbs() const { return quaternion.vec(); }
+  /// G = n tan(theta/2) = M/M0.
+  Vector gibbs() const { return quaternion.vec() / quaternion.w(); }
+  /// n tan(theta/4) = M/(1 + M0) = M (1 - M0)/|M|^2, whichever does not cancel.
+  Vector mrp() const;
 };
 
 /// How axis, angle and Euler vector move.
@@ -42,7 +51,9 @@ struct Crossing {
 /// A motion: propagator and start.
 class Run {
  public:
-  Run(AngularVelocity omega, Propagator propagator, const Rotation& from);
+  /// Looks for the crossings; throws Interrupted where the observer says no meanwhile.
+  Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
+      const Observer& observer = {});
 
   double t0() const { return propagator_.t0; }
   double t1() const { return propagator_.t1; }
@@ -67,7 +78,7 @@ class Run {
   double forward() const { return t1() >= t0() ? 1 : -1; }
   // The angle about the fixed axis of the start, for a motion that has one; in extended precision.
   Extended fixed_axis_angle(double t) const;
-  void find_crossings();
+  void find_crossings(const Observer& observer);
   bool is_zero_of_m(const double (&t)[3], const double (&m)[3]) const;
   Vector axis_at(double t, const Quaternion& q, double turn) const;
   Vector limit_of_axis(double t, const Vector& before, const Vector& after,

@@ -7,23 +7,32 @@
 #include "rotation/text.hpp"
 
 namespace rotor {
+namespace {
+
+constexpr std::size_t kMostTimes = 100'000'000;
+
+}  // namespace
 
 std::vector<double> times_in(double t0, double t1, std::size_t n) {
-  if (n == 0) throw std::invalid_argument("n must be 1 or more, got 0");
+  if (n == 0 || n > kMostTimes) {
+    throw std::invalid_argument("n must be from 1 to 1e8, got " + std::to_string(n));
+  }
   std::vector<double> times(n, t0);
   for (std::size_t i = 1; i < n; ++i) {
     // Weights, not t1 - t0, which may overflow; the last is t1 exactly.
     const double s = static_cast<double>(i) / static_cast<double>(n - 1);
-    times[i] = t0 * (1 - s) + t1 * s;
+    times[i] = std::clamp(t0 * (1 - s) + t1 * s, std::min(t0, t1), std::max(t0, t1));
   }
   return times;
 }
 
 std::vector<double> times_every(double t0, double t1, double every) {
-  if (!(every > 0)) throw std::invalid_argument("every must be positive, got " + text(every));
+  if (!(every > 0 && std::isfinite(every))) {
+    throw std::invalid_argument("every must be positive and finite, got " + text(every));
+  }
   // A count that misses a whole number by rounding alone is that number.
   const double count = std::floor(std::abs(t1 - t0) / every * (1 + 1e-14));
-  if (count >= 1e8) {
+  if (count >= static_cast<double>(kMostTimes)) {
     throw std::invalid_argument("every = " + text(every) + " makes " + text(count, 3) +
                                 " times, more than 1e8");
   }

@@ -6,7 +6,8 @@
 
 namespace rotor {
 
-/// n times from t0 to t1, both included (n = 1: t0 alone). Throws std::invalid_argument for n = 0.
+/// n times from t0 to t1, both included (n = 1: t0 alone). Throws std::invalid_argument for n = 0
+/// and n > 1e8.
 std::vector<double> times_in(double t0, double t1, std::size_t n);
 
 /// t0, t0 + every, ... up to t1 (backward where t1 < t0). Throws std::invalid_argument unless every

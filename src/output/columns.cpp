@@ -54,15 +54,15 @@ constexpr std::array kQuantities = {
                return Values{q.w(), q.x(), q.y(), q.z()};
              }},
     Quantity{"modified_gibbs", "xyz", "", "modified Gibbs vector M = n sin(theta/2)",
-             [](Row& r) { return of(r.state().rotation().modified_gibbs()); }},
+             [](Row& r) { return of(r.state().modified_gibbs()); }},
     Quantity{"gibbs", "xyz", "", "Gibbs vector G = n tan(theta/2)",
-             [](Row& r) { return of(r.state().rotation().gibbs()); }},
+             [](Row& r) { return of(r.state().gibbs()); }},
     Quantity{"mrp", "xyz", "", "modified Rodrigues parameters n tan(theta/4)",
-             [](Row& r) { return of(r.state().rotation().mrp()); }},
+             [](Row& r) { return of(r.state().mrp()); }},
     Quantity{"matrix", "111213212223313233", "", "rotation matrix, row and column",
              [](Row& r) {
                Values m;
-               const Matrix rows = r.state().rotation().matrix().transpose();
+               const Matrix rows = r.state().matrix().transpose();
                std::copy(rows.data(), rows.data() + 9, m.begin());
                return m;
              }},

@@ -154,7 +154,7 @@ Rotation operator*(const Rotation& second, const Rotation& first) {
 }
 
 Vector Rotation::operator*(const Vector& r) const {
-  require_finite(r.allFinite(), "rotation * vector", text(r));
+  require_finite(r.allFinite(), "vector", text(r));
   const ExtendedVector n = axis_.cast<Extended>();
   const ExtendedVector x = r.cast<Extended>();
   const Extended theta = angle_;
@@ -169,7 +169,7 @@ Rotation Rotation::inverse() const { return {axis_, -angle_, Normalised{}}; }
 Rotation Rotation::power(double x) const {
   const double angle = angle_ * x;
   if (!std::isfinite(angle)) {
-    throw std::invalid_argument("rotation ^ x: the angle " + text(angle_) + " times " + text(x) +
+    throw std::invalid_argument("the angle " + text(angle_) + " times " + text(x) +
                                 " is not finite");
   }
   return {axis_, angle, Normalised{}};

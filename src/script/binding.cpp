@@ -127,6 +127,7 @@ void make_type(lua_State* L) {
 }
 
 int call_constructor(lua_State* L) {
+  luaL_checkany(L, 1);
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_replace(L, 1);
   lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
@@ -144,6 +145,7 @@ void push_global_table(lua_State* L, const char* name) {
   if (lua_getglobal(L, name) == LUA_TTABLE) return;
   lua_newtable(L);
   lua_newtable(L);
+  set_string(L, "__metatable", name);
   push_string(L, name);
   lua_pushcclosure(L, unknown_function, 1);
   lua_setfield(L, -2, "__index");
@@ -159,7 +161,7 @@ void push_global_table(lua_State* L, const char* name) {
 }
 
 // Pushes the table into which the entries of a group go.
-void push_place(lua_State* L, const Group& group) {
+void push_owner(lua_State* L, const Group& group) {
   switch (group.kind) {
     case Kind::kFunction:
     case Kind::kValue:
@@ -180,7 +182,7 @@ void push_place(lua_State* L, const Group& group) {
 }
 
 void register_group(lua_State* L, int rows, const Group& group) {
-  push_place(L, group);
+  push_owner(L, group);
   for (const Entry& entry : group.entries) {
     lua_pushlightuserdata(L, const_cast<Entry*>(&entry));
     lua_pushinteger(L, static_cast<lua_Integer>(group.kind));
@@ -194,9 +196,21 @@ void register_group(lua_State* L, int rows, const Group& group) {
 
 }  // namespace
 
+void push_place(lua_State* L) {
+  lua_Debug info;
+  for (int level = 1; lua_getstack(L, level, &info) != 0; ++level) {
+    lua_getinfo(L, "Sl", &info);
+    if (info.currentline > 0) {
+      lua_pushfstring(L, "%s:%d: ", info.short_src, info.currentline);
+      return;
+    }
+  }
+  lua_pushliteral(L, "");
+}
+
 void push_error_message(lua_State* L, const char* what) {
   const std::string_view name = shown_name(running_entry(L), running_kind(L));
-  luaL_where(L, 1);
+  push_place(L);
   // The core names its functions itself, where it knows.
   if (!std::string_view(what).starts_with(std::string(name) + ":")) {
     push_string(L, name);

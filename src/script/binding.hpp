@@ -41,6 +41,9 @@ struct Results {
   int count;
 };
 
+/// Pushes "script.lua:3: ", the nearest place in Lua code, or "".
+void push_place(lua_State* L);
+
 /// The message of an error for scripts: where in the script, which function, what. Pushed.
 void push_error_message(lua_State* L, const char* what);
 /// As a bad argument of the running function.

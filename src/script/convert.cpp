@@ -55,6 +55,7 @@ std::string describe(lua_State* L, int index) {
 }
 
 std::string did_you_mean(lua_State* L, const std::string& word, int index) {
+  if (!lua_istable(L, index)) return "";
   const StackGuard guard(L);
   index = lua_absindex(L, index);
   push_module(L, "rotor.names");
@@ -128,6 +129,9 @@ std::string Convert<std::string>::get(lua_State* L, int index) {
   if (lua_type(L, index) != LUA_TSTRING) throw Mismatch(L, index, "a string");
   std::size_t size = 0;
   const char* s = lua_tolstring(L, index, &size);
+  if (std::char_traits<char>::length(s) != size) {
+    throw Mismatch("expected a string without NUL, got " + describe(L, index) + " with one");
+  }
   return {s, size};
 }
 

@@ -81,12 +81,17 @@ struct ConvertUser {
     return *value;
   }
   static void push(lua_State* L, const T& value) {
-    void* block = lua_newuserdatauv(L, sizeof(T) + alignof(T), 0);
+    void* block = lua_newuserdatauv(L, sizeof(T) + alignof(T), 1);
     new (aligned<T>(block)) T(value);
     luaL_setmetatable(L, metatable_key(UserType<T>::name).c_str());
   }
+  // Without its metatable the value is none any more: another finalizer may still hold it.
   static int collect(lua_State* L) {
-    std::destroy_at(aligned<T>(lua_touserdata(L, 1)));
+    if (T* value = test_user_value<T>(L, 1)) {
+      std::destroy_at(value);
+      lua_pushnil(L);
+      lua_setmetatable(L, 1);
+    }
     return 0;
   }
 };

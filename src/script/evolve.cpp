@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rotation/text.hpp"
+#include "script/binding.hpp"
 #include "script/lua_value.hpp"
 #include "script/options.hpp"
 #include "script/progress.hpp"
@@ -70,7 +71,7 @@ Scene scene_of(lua_State* L, const Options& options) {
         "give accuracy or step, not both: a fixed step has no say in accuracy");
   }
   scene.accuracy = options.get<double>("accuracy").value_or(scene.accuracy);
-  scene.max_step = options.get<double>("max_step").value_or(scene.max_step);
+  scene.max_step = options.get<double>("max_step");
   scene.max_steps = options.get<std::size_t>("max_steps").value_or(scene.max_steps);
   return scene;
 }
@@ -92,9 +93,16 @@ int message_of_stop(lua_State* L) {
   return 1;
 }
 
+int concatenate(lua_State* L) {
+  luaL_tolstring(L, 1, nullptr);
+  luaL_tolstring(L, 2, nullptr);
+  lua_concat(L, 2);
+  return 1;
+}
+
 [[noreturn]] void raise_stop(lua_State* L, const SharedRun& run, const Scene& scene) {
   const Stop& stop = *run->propagator().stop;
-  luaL_where(L, 1);
+  push_place(L);
   const std::string message =
       lua_tostring(L, -1) + ("evolve: stopped at t = " + text(stop.t) + " of " + text(scene.t0) +
                              " .. " + text(scene.t1) + ": " + stop.message);
@@ -114,6 +122,8 @@ int message_of_stop(lua_State* L) {
     lua_setfield(L, -2, "__name");
     lua_pushcfunction(L, message_of_stop);
     lua_setfield(L, -2, "__tostring");
+    lua_pushcfunction(L, concatenate);
+    lua_setfield(L, -2, "__concat");
   }
   lua_setmetatable(L, -2);
   throw ScriptError(std::make_shared<const Reference>(L, -1), message);

@@ -18,7 +18,10 @@ namespace rotor::script {
 namespace {
 
 Results evolve_entry(lua_State* L) {
-  Convert<SharedRun>::push(L, evolve_options(L));
+  const SharedRun run = evolve_options(L);
+  Convert<SharedRun>::push(L, run);
+  // Lua sees a small value: its collector is told how large the run is, some 300 bytes a step.
+  lua_gc(L, LUA_GCSTEP, static_cast<int>(run->propagator().cost.steps * 300 / 1024));
   return {1};
 }
 
@@ -80,6 +83,7 @@ constexpr const char* kCsv = "run:csv(file, {n=, every=, times=, columns=})";
 Results csv(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const std::string file = argument<std::string>(L, 2);
+  if (file.empty()) throw std::invalid_argument("the file name is empty");
   const Options options(L, 3, kCsv);
   const std::vector<double> times = times_of(options, *run);
   std::vector<std::string> names(Columns::standard().begin(), Columns::standard().end());
@@ -96,6 +100,17 @@ Results csv(lua_State* L) {
   return {0};
 }
 
+// Columns or rows of a picture.
+int size_option(const Options& options, const char* key, std::size_t otherwise) {
+  constexpr std::size_t kMost = 1000;
+  const std::size_t size = options.get<std::size_t>(key).value_or(otherwise);
+  if (size > kMost) {
+    throw std::invalid_argument(std::string(key) + ": expected at most 1000, got " +
+                                std::to_string(size));
+  }
+  return static_cast<int>(size);
+}
+
 constexpr const char* kPlot = "run:plot(what, {n=, every=, times=, title=, width=, height=})";
 Results plot_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
@@ -103,8 +118,8 @@ Results plot_entry(lua_State* L) {
   const Options options(L, 3, kPlot);
   PlotOptions look;
   look.title = options.get<std::string>("title").value_or("");
-  look.width = static_cast<int>(options.get<std::size_t>("width").value_or(80));
-  look.height = static_cast<int>(options.get<std::size_t>("height").value_or(20));
+  look.width = size_option(options, "width", 80);
+  look.height = size_option(options, "height", 20);
   print(L,
         plot(*run, times_of(options, *run), Columns(names), look, watching(run->t0(), run->t1())));
   return {0};
@@ -130,21 +145,28 @@ std::string why(const SharedRun& run) { return run->propagator().why; }
 bool complete(const SharedRun& run) { return run->complete(); }
 double error_estimate(const SharedRun& run) { return run->propagator().error_estimate; }
 Cost cost(const SharedRun& run) { return run->propagator().cost; }
+// Made once a run, and kept with it.
 Results crossings(lua_State* L) {
-  const std::vector<Crossing> list = argument<SharedRun>(L, 1)->crossings();
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  if (lua_getiuservalue(L, 1, 1) == LUA_TTABLE) return {1};
+  const std::vector<Crossing> list = run->crossings();
   lua_createtable(L, static_cast<int>(list.size()), 0);
   for (std::size_t i = 0; i < list.size(); ++i) {
-    lua_createtable(L, 0, 4);
+    lua_createtable(L, 0, 5);
     lua_pushnumber(L, list[i].t);
     lua_setfield(L, -2, "t");
     lua_pushstring(L, list[i].through ? "through" : "back");
     lua_setfield(L, -2, "kind");
+    Convert<Vector>::push(L, list[i].axis);
+    lua_setfield(L, -2, "axis");
     lua_pushnumber(L, list[i].turn_before);
     lua_setfield(L, -2, "turn_before");
     lua_pushnumber(L, list[i].turn_after);
     lua_setfield(L, -2, "turn_after");
     lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
   }
+  lua_pushvalue(L, -1);
+  lua_setiuservalue(L, 1, 1);
   return {1};
 }
 std::string text_of_run(const SharedRun& run) {
@@ -167,7 +189,7 @@ Vector state_axis(const RunState& s) { return s.state.axis; }
 Vector state_euler_vector(const RunState& s) { return s.state.euler_vector(); }
 Rotation state_rotation(const RunState& s) { return s.state.rotation(); }
 Quaternion state_quaternion(const RunState& s) { return s.state.quaternion; }
-Matrix state_matrix(const RunState& s) { return s.state.rotation().matrix(); }
+Matrix state_matrix(const RunState& s) { return s.state.matrix(); }
 Vector state_omega(const RunState& s) { return s.run->omega(s.state.t); }
 Rates rates_of(const RunState& s) { return s.run->rates(s.state, s.run->omega(s.state.t)); }
 double state_angle_rate(const RunState& s) { return rates_of(s).angle_rate; }
@@ -191,19 +213,21 @@ std::string text_of_cost(const Cost& c) {
 
 constexpr Entry kFunctions[] = {
     {"evolve", bound<evolve_entry>, kEvolve,
-     "Follows a body that turns with the angular velocity omega: a vector (constant), or a "
-     "function of t alone "
-     "that returns three numbers (fast), a table or a vec; in the space frame, radians per unit of "
-     "t. from: the "
+     "Follows a body that turns with the angular velocity omega, in the space frame, in radians "
+     "per unit of t: a "
+     "vector (constant), or a function of t alone that returns three numbers (fast), a table or a "
+     "vec. from: the "
      "rotation at the start (default identity). to: the end, from t = 0; or t = {t0, t1}, backward "
-     "too. "
-     "accuracy: the wanted bound on the rotation error over the whole run, rad (default 1e-10). "
-     "method: "
-     "\"auto\" (default), \"exact\" (constant omega), \"dop853\", or \"rk4\" with step. max_step "
-     "bounds the "
-     "step, max_steps their number (default a million). A run that stops early raises an error "
-     "object with "
-     ".reason, .t and .run, the run up to there.",
+     "too. accuracy: "
+     "the wanted bound on the rotation error over the whole run, rad (default 1e-10). method: "
+     "\"auto\" (default), "
+     "\"exact\" (constant omega), \"dop853\", or \"rk4\" with step. max_step: the longest step "
+     "(default a 32nd of "
+     "the way): omega is sampled some fifteen times a step, and what is narrower than the samples "
+     "is not seen. "
+     "max_steps: how many are taken at most (default a million). A run that stops early raises an "
+     "error object "
+     "with .reason, .t and .run, the run up to there.",
      ROTOR_RUN "(7).angle --> 7.0"},
 };
 
@@ -278,7 +302,10 @@ constexpr Entry kStateFields[] = {
      ROTOR_STATE ".axis --> vec(0.0, 0.0, 1.0)"},
     {"euler_vector", bound<state_euler_vector>, "state.euler_vector -> vec",
      "E = n theta, continuous.", ROTOR_STATE ".euler_vector --> vec(0.0, 0.0, 7.0)"},
-    {"rotation", bound<state_rotation>, "state.rotation -> rotation", "The rotation (axis, angle).",
+    {"rotation", bound<state_rotation>, "state.rotation -> rotation",
+     "The rotation (axis, angle). Its angle is rounded to a double, which limits it after many "
+     "turns: the "
+     "quaternion and the matrix are not.",
      ROTOR_STATE ".rotation.angle --> 7.0"},
     {"quaternion", bound<state_quaternion>, "state.quaternion -> quaternion",
      "Unit quaternion, continuous in t.", ROTOR_STATE ".quaternion.w < 0 --> true"},

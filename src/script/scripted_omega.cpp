@@ -25,8 +25,8 @@ std::string name_of_function(lua_State* L, int index) {
 
 std::string describe_results(lua_State* L, int first, int count) {
   std::string list = count == 0 ? "nothing" : "";
-  for (int i = 0; i < count; ++i) list += (i == 0 ? "" : ", ") + describe(L, first + i);
-  return list;
+  for (int i = 0; i < count && i < 8; ++i) list += (i == 0 ? "" : ", ") + describe(L, first + i);
+  return list + (count > 8 ? ", ... (" + std::to_string(count) + " values)" : "");
 }
 
 // The vector among `count` results of the function, the first at `first`.
@@ -68,8 +68,12 @@ AngularVelocity scripted_omega(lua_State* L, int index) {
     lua_pushnumber(running, t);
     if (lua_pcall(running, 1, LUA_MULTRET, handler) != LUA_OK) {
       if (interrupt_pending()) throw Interrupted();
-      const std::string raised =
-          lua_isstring(running, -1) ? lua_tostring(running, -1) : describe(running, -1);
+      std::string raised = describe(running, -1);
+      if (lua_isstring(running, -1) || luaL_getmetafield(running, -1, "__tostring") != LUA_TNIL) {
+        lua_settop(running, handler + 1);
+        raised = luaL_tolstring(running, -1, nullptr);
+        lua_pop(running, 1);
+      }
       throw ScriptError(std::make_shared<const Reference>(running, -1),
                         name + " failed at t = " + text(t) + ": " + raised);
     }

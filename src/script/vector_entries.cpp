@@ -147,7 +147,9 @@ double norm_of_quaternion(const Quaternion& q) {
 }
 Quaternion conjugate(const Quaternion& q) { return q.conjugate(); }
 Quaternion unit_quaternion(const Quaternion& q) {
-  polar(q);  // refuses what has no direction
+  if (q.coeffs().isZero(0) || !q.coeffs().allFinite()) {
+    throw std::invalid_argument("expected a finite non-zero quaternion");
+  }
   return Quaternion(Eigen::Vector4d(
       (q.coeffs().cast<Extended>() / q.coeffs().cast<Extended>().norm()).cast<double>()));
 }

@@ -266,9 +266,10 @@ TEST_CASE("a list too long for the screen is shown without a question") {
   expect(rotor, kPrompt);
   rotor.type_line("t = {} for i = 100, 400 do t['n' .. i] = i end");
   expect(rotor, kPrompt);
-  rotor.type("t.\t\t");
+  rotor.type("t.n\t\t");
   expect(rotor, "n400");
   expect(rotor, kPrompt + "t.n");
+  CHECK(rotor.screen().find("(y or n)") == std::string::npos);
 }
 
 TEST_CASE("TAB indents where there is nothing to complete") {

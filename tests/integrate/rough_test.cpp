@@ -80,7 +80,7 @@ TEST_CASE("omega that is nearly constant, constant or zero is cheap as a functio
   };
   const Propagator resting =
       propagate(scene(AngularVelocity([](double) { return Vector(0, 0, 0); }), 0, 1e9));
-  CHECK(resting.cost.steps < 20);
+  CHECK(resting.cost.steps < 40);  // a step is a 32nd of the way at most
   CHECK(greatest_error(resting, along_x(0)) == 0);
   check_promise(propagate(scene(AngularVelocity([](double) { return Vector(1, 0, 0); }), 0, 100)),
                 along_x(1));

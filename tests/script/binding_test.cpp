@@ -93,7 +93,7 @@ TEST_CASE("Destructors run when an error of Lua or an exception passes") {
   // raises_lua_error asks for the state that `bound` made current.
   CHECK(lua.run("return select('#', pcall(raises_lua_error, 1))") == "2");
   CHECK(Counted::alive == 0);
-  CHECK(lua.run("local ok, m = pcall(throws, 1) return m") == "\"throws: from C++\"");
+  CHECK(lua.run("local ok, m = pcall(throws, 1) return m") == "\"test:1: throws: from C++\"");
   CHECK(Counted::alive == 0);
   CHECK(lua.run("back = function(x) error('in the script') end "
                 "local ok, m = pcall(calls_back, 1) return m") == "\"test:1: in the script\"");
@@ -209,10 +209,11 @@ TEST_CASE("What a scripted omega can do wrong, and how it is said") {
   };
   CHECK(stop("function(t) if t > 1 then return 1, 2 end return 0, 0, 1 end", "reason") ==
         "\"omega failed\"");
-  CHECK(stop("function(t) return 1, 2 end", "message") ==
-        "\"evolve: stopped at t = 0.0 of 0.0 .. 2.0: omega (function at test:1) at t = 0.0: "
-        "expected three "
-        "numbers, a table {x, y, z} or a vec, got number 1, number 2\"");
+  CHECK(
+      stop("function(t) return 1, 2 end", "message") ==
+      "\"test:1: evolve: stopped at t = 0.0 of 0.0 .. 2.0: omega (function at test:1) at t = 0.0: "
+      "expected three "
+      "numbers, a table {x, y, z} or a vec, got number 1, number 2\"");
   CHECK(stop("function(t) return 'abc' end", "message").find("got string \\\"abc\\\"") !=
         std::string::npos);
   CHECK(stop("function(t) end", "message").find("got nothing") != std::string::npos);
@@ -251,4 +252,45 @@ TEST_CASE("Numbers are shown at the precision asked for") {
   CHECK(lua.run("return precision()") == "3");
   CHECK(lua.run("precision(17) return 2/3") == "0.6666666666666666");
   CHECK(lua.run("precision(18)") == "error: test:1: precision: expected 1 to 17 digits, got 18");
+}
+
+TEST_CASE("A value that was collected in the same cycle as its user is none any more") {
+  Fixture lua;
+  CHECK(lua.run(R"(
+    local seen = {}
+    local E = {}
+    E.__gc = function(o) seen[#seen + 1] = select(2, pcall(function() return o.run.t1 end)) end
+    for i = 1, 20 do
+      local o = setmetatable({}, E)
+      o.run = evolve{omega = function() return 0, 0, 1 end, to = 1}
+    end
+    collectgarbage()
+    collectgarbage()
+    for _, s in ipairs(seen) do
+      if s ~= 1.0 and not tostring(s):find("userdata") then return s end
+    end
+    return #seen > 0)") == "true");
+}
+
+TEST_CASE("Tables and functions behind the values cannot be turned against them") {
+  Fixture lua;
+  CHECK(lua.run("return getmetatable(rotation)") == "\"rotation\"");
+  CHECK(lua.run("local m = debug.getmetatable(rotation) return pcall(m.__index, 1, 'x')") ==
+        "false");
+  CHECK(lua.run("local m = debug.getmetatable(rotation) return pcall(m.__call)") == "false");
+  CHECK(lua.run("local run = evolve{omega = {0, 0, 1}, to = 1} "
+                "return pcall(debug.getmetatable(run).__gc, 'x')") == "true");
+}
+
+TEST_CASE("A short run is sampled within itself, and files have names") {
+  Fixture lua;
+  CHECK(
+      lua.run(
+          "return #evolve{omega = function() return 0, 0, 1 end, t = {0.1, 0.1}}:sample{n = 7}") ==
+      "7");
+  CHECK(lua.run("return select(2, pcall(function() evolve{omega = {0, 0, 1}, to = 1}:csv('') end))")
+            .find("the file name is empty") != std::string::npos);
+  CHECK(lua.run("return select(2, pcall(function() evolve{omega = {0, 0, 1}, to = 1}:csv('a\\0b') "
+                "end))")
+            .find("without NUL") != std::string::npos);
 }

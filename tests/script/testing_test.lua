@@ -135,6 +135,14 @@ contains(select(2, inside(function() end)), "it checked nothing")
 contains(select(2, inside(function() testing.theorem("u", print) end)), '"u" stands inside "t"')
 contains(select(2, inside(coroutine.wrap(function() testing.holds(true) end))), "1 check")
 
+-- An error object that cannot say what it is.
+local kSpeechless = 'setmetatable({}, { __tostring = function() error "x" end })'
+local speechless = load("return " .. kSpeechless)()
+contains(select(2, inside(function() error(speechless) end)), "in an error: (error object whose __tostring fails)")
+equal(inside(function() testing.fails(function() error(speechless) end) end), "PASS")
+contains(select(2, inside(function() testing.fails(function() error(speechless) end, "w", "y") end)),
+  "whose __tostring")
+
 -- The table that people read.
 local _, shown = inside(function()
   testing.near(math.pi, 355/113, 1e-6, "ratio")
@@ -294,10 +302,76 @@ tap_is(true, "TAP version 13\nok 1 - FILE: runs\nok 2 - FILE: runs\nok 3 - FILE:
 ok, text = tap("theorem('t', function() os.exit(1) end)", "x = 1")
 equal(ok, false)
 contains(text, "status that means failure")
-contains(text, "ok 2 - FILE: runs\n1..2\n")
+contains(text, "ok 3 - FILE: runs\n1..3\n")
 equal(print, saved_print)
 equal(os.exit, saved_exit)
 equal(rawget(_G, "left_over_too"), nil)
+
+-- A theorem that os.exit leaves, with any status, is not finished; those before it are. That holds also where the
+-- script catches what os.exit raises here: run by itself it would have ended there.
+for _, leave in ipairs { "os.exit(true)", "os.exit()", "pcall(os.exit, 0)", "coroutine.wrap(os.exit)(0)",
+  "fails(os.exit)" } do
+  ok, text = tap("theorem('a', function() holds(true) end) theorem('b', function() holds(true) " .. leave ..
+    " end) theorem('c', function() holds(true) end)", "theorem('d', function() holds(true) end)")
+  equal(text, [[
+TAP version 13
+ok 1 - FILE: a
+not ok 2 - FILE: b
+  ---
+  problem: "os.exit ended the script before the theorem was finished"
+  ...
+ok 3 - FILE: d
+1..3
+]], leave)
+  equal(ok, false, leave)
+end
+ok, text = tap("theorem('t', function() near(1, 2, 0, 'seen') os.exit(true) end)")
+equal(ok, false)
+contains(text, 'what: "seen"')
+for _, leave in ipairs { "os.exit(1)", "os.exit(false)", "pcall(os.exit, 1)" } do
+  equal(tap(leave), false, leave)
+end
+
+-- An error object that cannot say what it is fails its file, and no other.
+tap_is(false, [[
+TAP version 13
+not ok 1 - FILE: t
+  ---
+  problem: "it ended in an error: (error object whose __tostring fails)"
+  ...
+not ok 2 - FILE: runs
+  ---
+  problem: "(error object whose __tostring fails)"
+  ...
+ok 3 - FILE: runs
+1..3
+]], "local e = " .. kSpeechless .. " theorem('t', function() error(e) end) error(e)", "x = 1")
+
+-- What a script changes in the libraries is as it was for the next one; until then it is changed for all.
+for _, damage in ipairs { "math.abs = nil", "string.format = nil string.gsub = nil",
+  "for k in pairs(table) do table[k] = nil end", "io.output(io.tmpfile())", "io.stdout = nil",
+  "getmetatable(io.stdout).__index.write = nil", "load 'next, rawset, pcall, type, print = nil'()",
+  "package.path = ''", "package.searchers[2] = nil", "package.loaded.math = nil" } do
+  ok, text = tap(damage, "io.write 'x' theorem('t', function() near(1, 1.5, 1, 'it') end) require 'support'")
+  equal(text, "TAP version 13\nok 1 - FILE: runs\n# x\nok 2 - FILE: t\n1..2\n", damage)
+  equal(ok, true, damage)
+end
+tap_is(true, "TAP version 13\nok 1 - FILE: runs\nok 2 - FILE: runs\n1..2\n", [[
+function string.twice(s) return s .. s end
+assert(("x"):twice() == "xx" and require "string" == string and _G.string == string)
+package.preload.once = function() common = 1 return {} end
+require "once"]], "assert(not string.twice and not package.loaded.once and common == nil)")
+equal(rawget(string, "twice"), nil)
+
+-- What other programs print comes behind what stands before it, also in a pipe.
+local program = script(([[
+package.path, arg[0] = %q, %q
+require "support".use()
+require "rotor.testing".run { %q }]]):format(package.path, arg[0],
+  script "print 'before' os.execute 'echo from the shell' print 'after'"))
+local pipe = assert(io.popen(("'%s' '%s'"):format(arg[-1], program)))
+equal(pipe:read "a":match "^(.-)ok 1", "TAP version 13\n# before\nfrom the shell\n# after\n")
+pipe:close()
 
 -- What goes to other files goes there.
 tap_is(true, "TAP version 13\nok 1 - FILE: runs\n1..1\n",
