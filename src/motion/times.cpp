@@ -18,10 +18,13 @@ std::vector<double> times_in(double t0, double t1, std::size_t n) {
     throw std::invalid_argument("n must be from 1 to 1e8, got " + std::to_string(n));
   }
   std::vector<double> times(n, t0);
+  const double length = t1 - t0;
   for (std::size_t i = 1; i < n; ++i) {
-    // Weights, not t1 - t0, which may overflow; the last is t1 exactly.
     const double s = static_cast<double>(i) / static_cast<double>(n - 1);
-    times[i] = std::clamp(t0 * (1 - s) + t1 * s, std::min(t0, t1), std::max(t0, t1));
+    // The weighted form, which need not rise from double to double, only where the length
+    // overflows.
+    const double t = std::isfinite(length) ? t0 + length * s : t0 * (1 - s) + t1 * s;
+    times[i] = s == 1 ? t1 : std::clamp(t, std::min(t0, t1), std::max(t0, t1));
   }
   return times;
 }
