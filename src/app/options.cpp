@@ -122,8 +122,8 @@ std::string help_text() {
   return R"(usage: rotor [options] [script [arguments]]
        rotor --test files or directories
 
-The calculator for rotations in motion. Without a script: the terminal, or, when standard input
-is no terminal, what comes from there as one script.
+The calculator for rotations in motion. Without a script: the terminal, or, when
+standard input is no terminal, what comes from there as one script.
 
   -e STAT       run the statement STAT
   -i            the terminal, after everything else
@@ -135,21 +135,23 @@ is no terminal, what comes from there as one script.
   -E            ignore LUA_INIT, LUA_PATH and LUA_CPATH
   --            no more options
   -             no more options; run standard input
-  --test PATHS  run scripted tests, *.lua in directories, and print TAP; status 0 if all passed
+  --test PATHS  run scripted tests, *.lua in directories, and print TAP; status 0
+                if all passed
   --version     print the version and leave
   --help        print this and leave
   --reference   print the reference of all functions, as Markdown
   --stub        print the definitions for editors (---@meta)
 
-In a script the table arg holds the command line, the script at arg[0]. The options are those of
-lua5.4, with two differences: an error in piped input ends with status 1, and os.setlocale never
-changes how numbers are read and written.
+In a script the table arg holds the command line, the script at arg[0]. The
+options are those of lua5.4, with two differences: an error in piped input ends
+with status 1, and os.setlocale never changes how numbers are read and written.
 
 Environment:
   LUA_INIT, LUA_INIT_5_4  a statement, or @FILE, to run first
   LUA_PATH, LUA_CPATH     where require looks
-  ROTOR_HISTORY           the file of the terminal's history; empty: none is kept. Otherwise it is
-                          rotor/history in XDG_STATE_HOME, or in ~/.local/state
+  ROTOR_HISTORY           the file of the terminal's history; empty: none is
+                          kept. Otherwise it is rotor/history in
+                          XDG_STATE_HOME, or in ~/.local/state
   NO_COLOR, TERM=dumb     no escape codes
 
 Status: 0, or 1 after an error, or 130 when interrupted.

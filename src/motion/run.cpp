@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -95,11 +96,10 @@ State Run::operator()(double t) const {
     state.angle = static_cast<double>(fixed_axis_angle(t));
     return state;
   }
-  double turn = first_turn_;
-  for (const Crossing& crossing : crossings_) {
-    if ((t - crossing.t) * forward() <= 0) break;
-    turn = crossing.turn_after;
-  }
+  const auto next = std::partition_point(
+      crossings_.begin(), crossings_.end(),
+      [&](const Crossing& crossing) { return (t - crossing.t) * forward() > 0; });
+  const double turn = next == crossings_.begin() ? first_turn_ : std::prev(next)->turn_after;
   if (t == t0() && from_.angle() != 0) {
     state.axis = from_.axis();
     state.angle = from_.angle();
