@@ -71,7 +71,8 @@ class Rk4 {
   /// The greatest error at a node, of the interpolation between nodes, and of rounding, together.
   double error_estimate() const {
     if (useless_) return std::numbers::pi;
-    return (dense_.pieces() == 1 ? alone_ : greatest_ + interpolation_) + rounding_.estimate();
+    return (dense_.pieces() == 1 ? alone_ : greatest_ + doubt_ + interpolation_) +
+           rounding_.estimate();
   }
 
  private:
@@ -91,6 +92,11 @@ class Rk4 {
     if (dense_.pieces() == 2) first_ = last_;
     error_ += last_ / 2;
     greatest_ = std::max(greatest_, (error_ + (first_ + last_) / 4).norm());
+    // An error that leaps is no longer of order 5 in the step: omega is not smooth there, and the
+    // difference itself is the error, as far as can be told. Each step lies in two pairs.
+    const double size = last_.norm();
+    if (dense_.pieces() > 3 && size > 8 * sizes_[0]) doubt_ += 15 * size / 2;
+    sizes_ = {sizes_[1], size};
     // The Hermite cubic errs by h^4/384 times the fourth derivative at the middle of a step.
     const double h = (t_next - before_.t) / 2;
     interpolation_ = std::max(interpolation_,
@@ -108,6 +114,8 @@ class Rk4 {
   Vector error_ = Vector::Zero();  // sum e_i / 2
   Vector first_ = Vector::Zero();  // e_1
   Vector last_ = Vector::Zero();
+  std::array<double, 2> sizes_{};  // of the errors of the two pairs before the last
+  double doubt_ = 0;
   double greatest_ = 0;
   double alone_ = 0;
   bool useless_ = false;

@@ -167,3 +167,18 @@ TEST_CASE("max_step finds what the samples would miss") {
   const std::vector<double> mesh = run.mesh();
   for (std::size_t i = 1; i < mesh.size(); ++i) REQUIRE(mesh[i] - mesh[i - 1] <= 0.5 * (1 + 1e-12));
 }
+
+TEST_CASE("a fixed step across a jump of omega says how far off it may be") {
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int trial = 0; trial < 100; ++trial) {
+    CAPTURE(trial);
+    const auto vector = [&] {
+      return Vector(uniform(generator), uniform(generator), uniform(generator));
+    };
+    const Piecewise motion{{1.5 + uniform(generator)}, {vector(), vector()}};
+    const Propagator run = propagate(closed_form::by_rk4(0.05, scene(motion.omega(), 0, 3)));
+    const double error = closed_form::rotation_error(run(3), motion(3));
+    CHECK(run.error_estimate >= 0.8 * error);
+  }
+}
