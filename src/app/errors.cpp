@@ -103,7 +103,7 @@ std::string trim_traceback(const std::string& traceback) {
     if (frame == "\t[C]: in ?" || frame == "\t[C]: in function 'error'") continue;
     if (frame.ends_with("in main chunk") && frame.find(kInput) != frame.npos) continue;
     further = further || (leads_further(frame) && !in_rotor(frame));
-    for (std::size_t at; (at = frame.find(kInput)) != frame.npos;) {
+    for (std::size_t at = 0; (at = frame.find(kInput)) != frame.npos;) {
       frame.replace(at, kInput.size(), "line ");
     }
     kept += "\n" + frame;

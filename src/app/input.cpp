@@ -43,16 +43,16 @@ bool stopped_at_once(std::string_view error, std::string_view text) {
 
 Input compile_input(lua_State* L, const std::string& text) {
   const bool expression_only = text.starts_with('=');
-  if (compile(L, "return " + text.substr(expression_only ? 1 : 0))) return Input::complete;
+  if (compile(L, "return " + text.substr(expression_only ? 1 : 0))) return Input::kComplete;
   bool more = wants_more(message(L, -1));
   if (!expression_only) {
     const bool good = compile(L, text);
     const bool keep_first = !good && stopped_at_once(message(L, -1), text);
     more = more || (!good && wants_more(message(L, -1)));
     lua_remove(L, keep_first ? -1 : -2);
-    if (good) return Input::complete;
+    if (good) return Input::kComplete;
   }
-  return more ? Input::incomplete : Input::wrong;
+  return more ? Input::kIncomplete : Input::kWrong;
 }
 
 }  // namespace rotor::app

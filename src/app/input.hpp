@@ -6,7 +6,7 @@
 
 namespace rotor::app {
 
-enum class Input { complete, incomplete, wrong };
+enum class Input { kComplete, kIncomplete, kWrong };
 
 /// Compiles `text` as an expression or, if it is none, as statements; "= expression" is an
 /// expression. Pushes the function, or the message that says best what is wrong or missing.

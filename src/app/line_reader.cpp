@@ -117,12 +117,12 @@ LineReader::Event edit_line(const std::string& prompt, std::string& line) {
     if (script::interrupt_pending() && !line_finished) {
       rl_callback_handler_remove();
       std::fputs("\n", stdout);
-      return LineReader::Event::interrupted;
+      return LineReader::Event::kInterrupted;
     }
   }
-  if (!finished_line) return LineReader::Event::end;
+  if (!finished_line) return LineReader::Event::kEnd;
   line = *std::move(finished_line);
-  return LineReader::Event::line;
+  return LineReader::Event::kLine;
 }
 
 LineReader::Event read_plainly(const std::string& prompt, std::string& line) {
@@ -135,13 +135,13 @@ LineReader::Event read_plainly(const std::string& prompt, std::string& line) {
   if (script::interrupt_pending()) {
     std::clearerr(stdin);
     std::fputs("\n", stdout);
-    return LineReader::Event::interrupted;
+    return LineReader::Event::kInterrupted;
   }
-  if (length < 0) return LineReader::Event::end;
+  if (length < 0) return LineReader::Event::kEnd;
   line.assign(text, static_cast<std::size_t>(length));
   if (line.ends_with('\n')) line.pop_back();
   if (line.ends_with('\r')) line.pop_back();
-  return LineReader::Event::line;
+  return LineReader::Event::kLine;
 }
 
 }  // namespace

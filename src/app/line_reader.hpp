@@ -24,7 +24,7 @@ using Completer = std::function<Completions(const std::string& line, std::size_t
 /// At most one lives at a time: readline is one for the process.
 class LineReader {
  public:
-  enum class Event { line, end, interrupted };
+  enum class Event { kLine, kEnd, kInterrupted };
 
   explicit LineReader(Completer completer);
 

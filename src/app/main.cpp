@@ -33,11 +33,11 @@ int run(int argc, char** argv) {
     app::print_error(std::string("rotor: ") + error.what() + "\n" + app::usage());
     return EXIT_FAILURE;
   }
-  if (options.task == app::Options::Task::print_help) {
+  if (options.task == app::Options::Task::kPrintHelp) {
     std::fputs(app::help_text().c_str(), stdout);
     return 0;
   }
-  if (options.task == app::Options::Task::print_version) {
+  if (options.task == app::Options::Task::kPrintVersion) {
     std::puts(app::version_text().c_str());
     return 0;
   }

@@ -15,10 +15,10 @@ struct LongOption {
   Task task;
 };
 
-constexpr LongOption kLongOptions[] = {{"--help", Task::print_help},
-                                       {"--version", Task::print_version},
-                                       {"--reference", Task::print_reference},
-                                       {"--stub", Task::print_stub}};
+constexpr LongOption kLongOptions[] = {{"--help", Task::kPrintHelp},
+                                       {"--version", Task::kPrintVersion},
+                                       {"--reference", Task::kPrintReference},
+                                       {"--stub", Task::kPrintStub}};
 
 [[noreturn]] void reject(std::string_view option) {
   throw std::invalid_argument("unrecognized option '" + std::string(option) + "'");
@@ -40,7 +40,7 @@ void set_flag(Options& options, std::string_view option) {
       options.ignore_environment = true;
       break;
     case 'W':
-      options.preparations.push_back({Preparation::Kind::warnings, ""});
+      options.preparations.push_back({Preparation::Kind::kWarnings, ""});
       break;
     default:
       reject(option);
@@ -51,7 +51,7 @@ void set_flag(Options& options, std::string_view option) {
 bool set_task(Options& options, int index, int argc, const char* const* argv) {
   const std::string_view option = argv[index];
   if (option == "--test") {
-    options.task = Task::test;
+    options.task = Task::kTest;
     options.tests.assign(argv + index + 1, argv + argc);
     if (options.tests.empty()) throw std::invalid_argument("'--test' needs files or directories");
     return false;
@@ -67,7 +67,7 @@ bool set_task(Options& options, int index, int argc, const char* const* argv) {
 /// "-e stat", "-estat", and the same for -l. Returns the index of the last argument it took.
 int add_preparation(Options& options, int index, int argc, const char* const* argv) {
   const std::string_view option = argv[index];
-  const auto kind = option[1] == 'e' ? Preparation::Kind::execute : Preparation::Kind::require;
+  const auto kind = option[1] == 'e' ? Preparation::Kind::kExecute : Preparation::Kind::kRequire;
   if (option.size() > 2) {
     options.preparations.push_back({kind, std::string(option.substr(2))});
     return index;
@@ -83,7 +83,7 @@ int add_preparation(Options& options, int index, int argc, const char* const* ar
 
 bool Options::executes() const {
   return std::any_of(preparations.begin(), preparations.end(),
-                     [](const Preparation& p) { return p.kind == Preparation::Kind::execute; });
+                     [](const Preparation& p) { return p.kind == Preparation::Kind::kExecute; });
 }
 
 Options parse_options(int argc, const char* const* argv) {

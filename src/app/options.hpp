@@ -8,14 +8,14 @@ namespace rotor::app {
 
 /// One of -e, -l, -W: done in the order given, before the script.
 struct Preparation {
-  enum class Kind { execute, require, warnings } kind;
+  enum class Kind { kExecute, kRequire, kWarnings } kind;
   std::string text;
 };
 
 struct Options {
-  enum class Task { run, test, print_help, print_version, print_reference, print_stub };
+  enum class Task { kRun, kTest, kPrintHelp, kPrintVersion, kPrintReference, kPrintStub };
 
-  Task task = Task::run;
+  Task task = Task::kRun;
   bool interactive = false;         // -i
   bool show_version = false;        // -v
   bool quiet = false;               // -q

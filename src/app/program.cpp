@@ -106,7 +106,7 @@ bool Program::run_all() {
   if (options_.show_version) std::puts(version_text().c_str());
   if (!options_.ignore_environment && !run_init()) return false;
   if (!prepare()) return false;
-  if (options_.task != Options::Task::run) return run_task();
+  if (options_.task != Options::Task::kRun) return run_task();
   if (options_.script != 0 && !run_script(argv_[options_.script])) return false;
   sum_up_theorems();
   if (options_.interactive) return run_terminal();
@@ -119,11 +119,11 @@ bool Program::run_all() {
 
 bool Program::run_task() {
   switch (options_.task) {
-    case Options::Task::test:
+    case Options::Task::kTest:
       return run_tests();
-    case Options::Task::print_reference:
+    case Options::Task::kPrintReference:
       return print_help_module("reference");
-    case Options::Task::print_stub:
+    case Options::Task::kPrintStub:
       return print_help_module("stub");
     default:
       return true;
@@ -143,15 +143,15 @@ bool Program::run_init() {
 bool Program::prepare() {
   for (const Preparation& preparation : options_.preparations) {
     switch (preparation.kind) {
-      case Preparation::Kind::execute:
+      case Preparation::Kind::kExecute:
         if (!run_text(preparation.text, "(command line)")) return false;
         break;
-      case Preparation::Kind::require:
+      case Preparation::Kind::kRequire:
         lua_pushcfunction(L_, require_into_global);
         lua_pushstring(L_, preparation.text.c_str());
         if (!checked(call(L_, 1, 0))) return false;
         break;
-      case Preparation::Kind::warnings:
+      case Preparation::Kind::kWarnings:
         lua_warning(L_, "@on", 0);
         break;
     }

@@ -140,16 +140,16 @@ void Repl::run() {
   for (;;) {
     std::string line;
     switch (reader_.read(input_.empty() ? kPrompt : kContinuationPrompt, line)) {
-      case LineReader::Event::interrupted:
+      case LineReader::Event::kInterrupted:
         script::clear_interrupt(L_);
         input_.clear();
         break;
-      case LineReader::Event::end:
+      case LineReader::Event::kEnd:
         std::fputs("\n", stdout);
         if (input_.empty()) return;
         give_up_input();
         break;
-      case LineReader::Event::line:
+      case LineReader::Event::kLine:
         line.find('\n') == line.npos ? add(line) : add_paste(line);
         break;
     }
@@ -179,7 +179,7 @@ bool Repl::add_paste(const std::string& text) {
   const bool session = leading_prompt(text) > 0;
   bool one_input = !session;
   if (one_input && input_.empty()) {
-    one_input = compile_input(L_, without_indent(text)) != Input::wrong;
+    one_input = compile_input(L_, without_indent(text)) != Input::kWrong;
     lua_pop(L_, 1);
   }
   if (one_input) return add(text);
@@ -194,12 +194,12 @@ bool Repl::add_paste(const std::string& text) {
 bool Repl::evaluate() {
   const int function = lua_gettop(L_) + 1;
   const Input input = compile_input(L_, input_);
-  if (input == Input::incomplete) {
+  if (input == Input::kIncomplete) {
     lua_pop(L_, 1);
     return true;
   }
   const std::string text = take_input();
-  bool good = input == Input::complete && call(L_, 0, LUA_MULTRET);
+  bool good = input == Input::kComplete && call(L_, 0, LUA_MULTRET);
   if (good) {
     lua_pushcfunction(L_, show_values);
     lua_insert(L_, function);

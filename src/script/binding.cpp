@@ -118,7 +118,7 @@ void push_metatable(lua_State* L, const char* type) {
 
 template <class T>
 void make_type(lua_State* L) {
-  push_metatable(L, UserType<T>::name);
+  push_metatable(L, UserType<T>::kName);
   if constexpr (!std::is_trivially_destructible_v<T>) {
     lua_pushcfunction(L, ConvertUser<T>::collect);
     lua_setfield(L, -2, "__gc");

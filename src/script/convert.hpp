@@ -3,7 +3,7 @@
 // get(L, index) gives the value or throws Mismatch; push(L, value) pushes it.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <lua.hpp>
 #include <memory>
 #include <new>
@@ -36,7 +36,7 @@ std::string did_you_mean(lua_State* L, const std::string& word, int index);
 /// The types that live in userdata. `name` is what scripts call the type; `member` may read numeric
 /// keys.
 template <class T>
-struct UserType;  // static constexpr const char* name
+struct UserType;  // static constexpr const char* kName
 
 /// A run is shared with its states.
 using SharedRun = std::shared_ptr<const Run>;
@@ -48,12 +48,12 @@ struct RunState {
 };
 
 // clang-format off
-template <> struct UserType<Vector>     { static constexpr const char* name = "vec"; };
-template <> struct UserType<Rotation>   { static constexpr const char* name = "rotation"; };
-template <> struct UserType<Quaternion> { static constexpr const char* name = "quaternion"; };
-template <> struct UserType<SharedRun>  { static constexpr const char* name = "run"; };
-template <> struct UserType<RunState>   { static constexpr const char* name = "state"; };
-template <> struct UserType<Cost>       { static constexpr const char* name = "cost"; };
+template <> struct UserType<Vector>     { static constexpr const char* kName = "vec"; };
+template <> struct UserType<Rotation>   { static constexpr const char* kName = "rotation"; };
+template <> struct UserType<Quaternion> { static constexpr const char* kName = "quaternion"; };
+template <> struct UserType<SharedRun>  { static constexpr const char* kName = "run"; };
+template <> struct UserType<RunState>   { static constexpr const char* kName = "state"; };
+template <> struct UserType<Cost>       { static constexpr const char* kName = "cost"; };
 // clang-format on
 
 /// The key of a type's metatable in the registry.
@@ -62,14 +62,13 @@ std::string metatable_key(const char* type);
 /// Where in its block a value lies: Lua aligns to 8, Eigen's quaternion wants 16.
 template <class T>
 T* aligned(void* block) {
-  auto address = reinterpret_cast<std::uintptr_t>(block);
-  address = (address + alignof(T) - 1) / alignof(T) * alignof(T);
-  return reinterpret_cast<T*>(address);
+  std::size_t space = sizeof(T) + alignof(T);
+  return static_cast<T*>(std::align(alignof(T), sizeof(T), block, space));
 }
 
 template <class T>
 T* test_user_value(lua_State* L, int index) {
-  void* block = luaL_testudata(L, index, metatable_key(UserType<T>::name).c_str());
+  void* block = luaL_testudata(L, index, metatable_key(UserType<T>::kName).c_str());
   return block == nullptr ? nullptr : aligned<T>(block);
 }
 
@@ -77,13 +76,13 @@ template <class T>
 struct ConvertUser {
   static const T& get(lua_State* L, int index) {
     const T* value = test_user_value<T>(L, index);
-    if (value == nullptr) throw Mismatch(L, index, std::string("a ") + UserType<T>::name);
+    if (value == nullptr) throw Mismatch(L, index, std::string("a ") + UserType<T>::kName);
     return *value;
   }
   static void push(lua_State* L, const T& value) {
     void* block = lua_newuserdatauv(L, sizeof(T) + alignof(T), 1);
     new (aligned<T>(block)) T(value);
-    luaL_setmetatable(L, metatable_key(UserType<T>::name).c_str());
+    luaL_setmetatable(L, metatable_key(UserType<T>::kName).c_str());
   }
   // Without its metatable the value is none any more: another finalizer may still hold it.
   static int collect(lua_State* L) {

@@ -1,5 +1,5 @@
 # Writes OUTPUT: the FILES (Lua sources), each as a raw string literal under its name without the suffix.
-string(CONCAT text "#include \"script/embedded_lua.hpp\"\n\nnamespace rotor::script {\n\n"
+string(CONCAT text "// NOLINTBEGIN(readability-function-size)\n#include \"script/embedded_lua.hpp\"\n\nnamespace rotor::script {\n\n"
   "const std::vector<EmbeddedModule>& embedded_modules() {\n"
   "  static const std::vector<EmbeddedModule> modules = {\n")
 foreach(file IN LISTS FILES)
@@ -7,5 +7,5 @@ foreach(file IN LISTS FILES)
   file(READ "${file}" source)
   string(APPEND text "      {\"${name}\", R\"lua_source(${source})lua_source\"},\n")
 endforeach()
-string(APPEND text "  };\n  return modules;\n}\n\n}  // namespace rotor::script\n")
+string(APPEND text "  };\n  return modules;\n}\n\n}  // namespace rotor::script\n// NOLINTEND(readability-function-size)\n")
 file(WRITE "${OUTPUT}" "${text}")

@@ -12,6 +12,11 @@ lua_State* main_thread(lua_State* L) {
   return main;
 }
 
+int keep(lua_State* L, int index) {
+  lua_pushvalue(L, index);
+  return luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
 }  // namespace
 
 lua_State* current_state() { return current; }
@@ -19,10 +24,7 @@ lua_State* current_state() { return current; }
 CurrentState::CurrentState(lua_State* L) : before_(current) { current = L; }
 CurrentState::~CurrentState() { current = before_; }
 
-Reference::Reference(lua_State* L, int index) : main_(main_thread(L)) {
-  lua_pushvalue(L, index);
-  key_ = luaL_ref(L, LUA_REGISTRYINDEX);
-}
+Reference::Reference(lua_State* L, int index) : main_(main_thread(L)), key_(keep(L, index)) {}
 
 Reference::~Reference() { luaL_unref(main_, LUA_REGISTRYINDEX, key_); }
 

@@ -90,7 +90,7 @@ Results slerp_at(lua_State* L) {
   const Options options(L, 4, kSlerp);
   const std::string way = options.get<std::string>("way").value_or("short");
   if (way != "short" && way != "long") {
-    throw std::invalid_argument("way: expected \"short\" or \"long\", got \"" + way + "\"");
+    throw std::invalid_argument(R"(way: expected "short" or "long", got ")" + way + "\"");
   }
   Convert<Rotation>::push(L, slerp(r, s, fraction, way == "short" ? Way::kShort : Way::kLong));
   return {1};
