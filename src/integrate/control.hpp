@@ -31,7 +31,7 @@ class ErrorBudget {
 
 /// Factor from this step's size to the next's: the error of a step goes with the power `exponent`
 /// of its size; between 1/5 and 5, aiming at 0.9 of the size that would just be allowed; 1/5 for an
-/// error that is not a number.
+/// error that is not a number, or where nothing is allowed.
 double step_factor(double error, double allowed, double exponent);
 
 }  // namespace rotor

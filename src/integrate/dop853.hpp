@@ -26,8 +26,8 @@ namespace rotor {
 /// step is the integral of R~^T (w~ - w), seen from the body. The defect is a polynomial of degree
 /// 7 in its leading order h^7, 8 in the next, 9 in the third; the true local error is of order h^9,
 /// so a quadrature of degree 9 has it with an error O(h^2). What the defect has beyond degree 9
-/// shows where omega is not smooth enough for that, and as much as a jump
-/// that leaves so much could have hidden is added to the error that steps are judged by.
+/// shows where omega is not smooth enough for that: what a jump that leaves so much could have
+/// hidden is added to the error that steps are judged by.
 ///
 /// Where that is lost in rounding, the classical estimate by embedded methods of order 5 and 3
 /// decides: for short steps it is 20 to 500 times too large, and so stands further above rounding.

@@ -268,10 +268,9 @@ void Run::find_crossings(const Observer& observer) {
     } else {
       // A zero beside an end of the run: |M| is least at the end sample itself, and M has turned
       // round.
-      const std::size_t first = i == 0 ? 0 : last - 1;
-      const double beside = samples[i == 0 ? 1 : first].first;
-      if (size <= samples[i == 0 ? 1 : first].second && m(t).dot(m(beside)) < 0) {
-        look_between(samples[first].first, samples[first + 1].first);
+      const auto& [t_beside, size_beside] = samples[i == 0 ? 1 : last - 1];
+      if (size <= size_beside && m(t).dot(m(t_beside)) < 0) {
+        i == 0 ? look_between(t, t_beside) : look_between(t_beside, t);
       }
     }
   }

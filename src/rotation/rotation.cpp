@@ -35,6 +35,12 @@ void require_finite(bool finite, const char* what, const std::string& given) {
   }
 }
 
+void require_direction(const Quaternion& q, const char* what) {
+  if (!q.coeffs().allFinite() || q.coeffs().isZero(0)) {
+    throw std::invalid_argument(std::string(what) + ": expected a finite non-zero quaternion");
+  }
+}
+
 // The rotation of angle `angle_of(|v|)` about v, the identity for v = 0.
 template <class AngleOf>
 Rotation along(const Vector& v, const char* what, AngleOf angle_of) {
@@ -185,7 +191,7 @@ Rotation from_quaternion(const Quaternion& q) {
   const std::string given =
       "(" + text(q.w()) + ", " + text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ")";
   require_finite(q.coeffs().allFinite(), "from_quaternion", given);
-  const double size = static_cast<double>(q.coeffs().cast<Extended>().norm());
+  const double size = norm(q);
   if (std::abs(size - 1) > kUnitTolerance) {
     throw std::invalid_argument(
         "from_quaternion: expected a unit quaternion (norm 1 within 1e-06), got " + given +
@@ -261,11 +267,17 @@ Rotation slerp(const Rotation& r, const Rotation& s, double fraction, Way way) {
   return step.power(fraction) * r;
 }
 
+double norm(const Quaternion& q) { return static_cast<double>(q.coeffs().cast<Extended>().norm()); }
+
+Quaternion unit(const Quaternion& q) {
+  require_direction(q, "unit");
+  const auto coeffs = q.coeffs().cast<Extended>();
+  return Quaternion(Eigen::Vector4d((coeffs / coeffs.norm()).cast<double>()));
+}
+
 Polar polar(const Quaternion& q) {
-  if (!q.coeffs().allFinite() || q.coeffs().isZero(0)) {
-    throw std::invalid_argument("polar: expected a finite non-zero quaternion");
-  }
-  return {static_cast<double>(q.coeffs().cast<Extended>().norm()), rotation_of(q)};
+  require_direction(q, "polar");
+  return {norm(q), rotation_of(q)};
 }
 
 }  // namespace rotor

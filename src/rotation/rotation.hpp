@@ -114,6 +114,11 @@ enum class Way { kShort, kLong };
 /// long way round. At distance pi both are as short: N3's axis decides.
 Rotation slerp(const Rotation& r, const Rotation& s, double fraction, Way way = Way::kShort);
 
+/// |q| of any finite quaternion, as of a vector.
+double norm(const Quaternion& q);
+/// q/|q|. Throws std::invalid_argument for the zero quaternion and for one that is not finite.
+Quaternion unit(const Quaternion& q);
+
 /// Polar form of a general quaternion [N24-N26]: norm (cos theta/2, u sin theta/2), theta in [0, 2
 /// pi].
 struct Polar {

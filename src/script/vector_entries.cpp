@@ -142,17 +142,9 @@ std::string text_of_quaternion(const Quaternion& q) {
   return "quaternion(" + shown(q.w()) + ", " + shown(q.x()) + ", " + shown(q.y()) + ", " +
          shown(q.z()) + ")";
 }
-double norm_of_quaternion(const Quaternion& q) {
-  return static_cast<double>(q.coeffs().cast<Extended>().norm());
-}
+double norm_of_quaternion(const Quaternion& q) { return norm(q); }
 Quaternion conjugate(const Quaternion& q) { return q.conjugate(); }
-Quaternion unit_quaternion(const Quaternion& q) {
-  if (q.coeffs().isZero(0) || !q.coeffs().allFinite()) {
-    throw std::invalid_argument("expected a finite non-zero quaternion");
-  }
-  return Quaternion(Eigen::Vector4d(
-      (q.coeffs().cast<Extended>() / q.coeffs().cast<Extended>().norm()).cast<double>()));
-}
+Quaternion unit_quaternion(const Quaternion& q) { return unit(q); }
 Results polar_form(lua_State* L) {
   const Polar form = polar(argument<Quaternion>(L, 1));
   lua_pushnumber(L, form.norm);

@@ -22,6 +22,11 @@ void check_promise(const Propagator& run, const Truth& truth) {
   CHECK(run.error_estimate >= 0.8 * error);
 }
 
+Vector random_vector(std::mt19937& generator) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  return {uniform(generator), uniform(generator), uniform(generator)};
+}
+
 }  // namespace
 
 TEST_CASE("across a jump of omega the accuracy is kept and the estimate is honest") {
@@ -29,10 +34,8 @@ TEST_CASE("across a jump of omega the accuracy is kept and the estimate is hones
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int trial = 0; trial < 100; ++trial) {
     CAPTURE(trial);
-    const auto vector = [&] {
-      return Vector(uniform(generator), uniform(generator), uniform(generator));
-    };
-    const Piecewise motion{{1.5 + 0.5 * uniform(generator)}, {vector(), vector()}};
+    const Piecewise motion{{1.5 + 0.5 * uniform(generator)},
+                           {random_vector(generator), random_vector(generator)}};
     for (const double accuracy : {1e-4, 1e-7, 1e-10}) {
       check_promise(propagate(to_accuracy(accuracy, scene(motion.omega(), 0, 3))), motion);
     }
@@ -173,10 +176,8 @@ TEST_CASE("a fixed step across a jump of omega says how far off it may be") {
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int trial = 0; trial < 100; ++trial) {
     CAPTURE(trial);
-    const auto vector = [&] {
-      return Vector(uniform(generator), uniform(generator), uniform(generator));
-    };
-    const Piecewise motion{{1.5 + uniform(generator)}, {vector(), vector()}};
+    const Piecewise motion{{1.5 + uniform(generator)},
+                           {random_vector(generator), random_vector(generator)}};
     const Propagator run = propagate(closed_form::by_rk4(0.05, scene(motion.omega(), 0, 3)));
     const double error = closed_form::rotation_error(run(3), motion(3));
     CHECK(run.error_estimate >= 0.8 * error);
