@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "rotation/extended.hpp"
 #include "rotation/text.hpp"
 
 namespace rotor {
@@ -16,24 +17,8 @@ static_assert(std::numeric_limits<Extended>::max_exponent >= 16384 &&
                   std::numeric_limits<Extended>::digits >= 64,
               "rotor needs a long double wider than double");
 
-using ExtendedVector = Eigen::Matrix<Extended, 3, 1>;
-using ExtendedMatrix = Eigen::Matrix<Extended, 3, 3>;
-using ExtendedQuaternion = Eigen::Quaternion<Extended>;
-
 // How far from unit or orthogonal a quaternion or a matrix may be and still be taken for one.
 constexpr double kUnitTolerance = 1e-6;
-
-ExtendedQuaternion half_angle_quaternion(const Rotation& r) {
-  const Extended half = Extended{r.angle()} / 2;
-  const ExtendedVector v = r.axis().cast<Extended>() * std::sin(half);
-  return {std::cos(half), v.x(), v.y(), v.z()};
-}
-
-void require_finite(bool finite, const char* what, const std::string& given) {
-  if (!finite) {
-    throw std::invalid_argument(std::string(what) + ": expected finite numbers, got " + given);
-  }
-}
 
 void require_direction(const Quaternion& q, const char* what) {
   if (!q.coeffs().allFinite() || q.coeffs().isZero(0)) {
@@ -89,12 +74,19 @@ Rotation rotation_of_proper(const Matrix& m) {
   return canonical_of(ExtendedQuaternion(q(0), q(1), q(2), q(3)));
 }
 
-std::string text_of(const Matrix& m) {
-  const auto row = [&](int i) { return text(Vector(m.row(i).transpose())); };
-  return "(" + row(0) + ", " + row(1) + ", " + row(2) + ")";
+}  // namespace
+
+ExtendedQuaternion half_angle_quaternion(const Rotation& r) {
+  const Extended half = Extended{r.angle()} / 2;
+  const ExtendedVector v = r.axis().cast<Extended>() * std::sin(half);
+  return {std::cos(half), v.x(), v.y(), v.z()};
 }
 
-}  // namespace
+void require_finite(bool finite, const char* what, const std::string& given) {
+  if (!finite) {
+    throw std::invalid_argument(std::string(what) + ": expected finite numbers, got " + given);
+  }
+}
 
 Vector unit(const Vector& v, const char* what) {
   require_finite(v.allFinite(), what, text(v));
@@ -201,7 +193,7 @@ Rotation from_quaternion(const Quaternion& q) {
 }
 
 Rotation from_matrix(const Matrix& m) {
-  require_finite(m.allFinite(), "from_matrix", text_of(m));
+  require_finite(m.allFinite(), "from_matrix", text(m));
   const double defect = (m.transpose() * m - Matrix::Identity()).cwiseAbs().maxCoeff();
   if (!(defect <= kUnitTolerance)) {
     throw std::invalid_argument(
@@ -240,7 +232,7 @@ Rotation from_mrp(const Vector& p) {
 }
 
 Rotation nearest_rotation(const Matrix& m) {
-  require_finite(m.allFinite(), "nearest", text_of(m));
+  require_finite(m.allFinite(), "nearest", text(m));
   // With m = U S V^T the nearest rotation is U diag(1, 1, d) V^T, d = det(U V^T). It is unique iff
   // s2 + d s3 > 0 (zero: any turn in the plane of the last two singular vectors is as near).
   const Eigen::JacobiSVD<Matrix> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);

@@ -46,4 +46,9 @@ std::string text(const Eigen::Vector3d& v) {
   return "(" + text(v.x()) + ", " + text(v.y()) + ", " + text(v.z()) + ")";
 }
 
+std::string text(const Eigen::Matrix3d& m) {
+  const auto row = [&](int i) { return text(Eigen::Vector3d(m.row(i).transpose())); };
+  return "(" + row(0) + ", " + row(1) + ", " + row(2) + ")";
+}
+
 }  // namespace rotor

@@ -17,4 +17,7 @@ std::string text(double x, int digits);
 /// "(x, y, z)".
 std::string text(const Eigen::Vector3d& v);
 
+/// "((a, b, c), (d, e, f), (g, h, i))", row by row.
+std::string text(const Eigen::Matrix3d& m);
+
 }  // namespace rotor

@@ -232,6 +232,16 @@ void throw_bad_argument(lua_State* L, int index, const std::exception& mismatch)
                               "; usage: " + std::string(running_entry(L).signature));
 }
 
+Results push_component(lua_State* L, const double* first, lua_Integer n) {
+  const lua_Integer i = lua_tointeger(L, 2);
+  if (i >= 1 && i <= n) {
+    lua_pushnumber(L, first[i - 1]);
+  } else {
+    lua_pushnil(L);
+  }
+  return {1};
+}
+
 void refuse_more_arguments(lua_State* L, int count) {
   const Kind kind = running_kind(L);
   if ((kind != Kind::kFunction && kind != Kind::kMethod) || lua_isnoneornil(L, count + 1)) return;
@@ -249,7 +259,10 @@ void register_groups(lua_State* L) {
 
   lua_newtable(L);
   const int rows = lua_gettop(L);
-  for (const auto groups : {rotation_groups(), vector_groups(), run_groups(), terminal_groups()}) {
+  for (const auto groups :
+       {rotation_groups(), vector_groups(), matrix_groups(), quaternion_groups(), sequence_groups(),
+        kinematics_groups(), fit_groups(), triangle_groups(), list_groups(), run_groups(),
+        terminal_groups()}) {
     for (const Group& group : groups) register_group(L, rows, group);
   }
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);

@@ -49,6 +49,10 @@ void push_error_message(lua_State* L, const char* what);
 /// As a bad argument of the running function.
 [[noreturn]] void throw_bad_argument(lua_State* L, int index, const std::exception& mismatch);
 
+/// Component i (the argument after the value) of n numbers, counted from 1; nil past the last, so
+/// that ipairs ends.
+Results push_component(lua_State* L, const double* first, lua_Integer n);
+
 /// More arguments than a function or method takes are an error (an operator gets what Lua gives
 /// it).
 void refuse_more_arguments(lua_State* L, int count);
@@ -116,6 +120,13 @@ int bound(lua_State* L) {
 /// The groups of all floors' names, in the order of the reference.
 std::span<const Group> rotation_groups();
 std::span<const Group> vector_groups();
+std::span<const Group> matrix_groups();
+std::span<const Group> quaternion_groups();
+std::span<const Group> sequence_groups();
+std::span<const Group> kinematics_groups();
+std::span<const Group> fit_groups();
+std::span<const Group> triangle_groups();
+std::span<const Group> list_groups();
 std::span<const Group> run_groups();
 std::span<const Group> terminal_groups();
 

@@ -1,4 +1,4 @@
-// rotation and matrix: the value, its faces, composition, interpolation.
+// rotation: the value, its faces, composition, interpolation.
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,20 +55,6 @@ bool equal(const Rotation& r, const Rotation& s) { return r == s; }
 std::string text_of(const Rotation& r) {
   return "rotation  " + shown_axis_angle(r.axis(), r.angle(), 10);
 }
-std::string text_of_matrix(const Matrix& m) {
-  std::string text = "matrix";
-  std::size_t width = 0;
-  for (const double x : m.reshaped()) width = std::max(width, shown(x).size());
-  for (int i = 0; i < 3; ++i) {
-    text += "\n ";
-    for (int j = 0; j < 3; ++j) {
-      const std::string number = shown(m(i, j));
-      text += std::string(width + 1 - number.size(), ' ') + number;
-    }
-  }
-  return text;
-}
-
 Rotation inverse(const Rotation& r) { return r.inverse(); }
 Rotation canonical(const Rotation& r) { return r.canonical(); }
 double distance_to(const Rotation& r, const Rotation& s) { return distance(r, s); }
@@ -208,20 +194,10 @@ constexpr Entry kOperators[] = {
      "The text under which the terminal shows it.", "#tostring(rotation.identity) > 0 --> true"},
 };
 
-constexpr Entry kMatrixOperators[] = {
-    {"__tostring", bound<text_of_matrix>, "tostring(m) -> string",
-     "The text under which the terminal shows it.",
-     "#tostring(rotation.identity.matrix) > 0 --> true"},
-};
-
 constexpr Group kGroups[] = {
-    {"", Kind::kFunction, kFunctions},
-    {"rotation", Kind::kFunction, kStatics},
-    {"rotation", Kind::kValue, kValues},
-    {"rotation", Kind::kField, kFields},
-    {"rotation", Kind::kMethod, kMethods},
-    {"rotation", Kind::kOperator, kOperators},
-    {"matrix", Kind::kOperator, kMatrixOperators},
+    {"", Kind::kFunction, kFunctions},     {"rotation", Kind::kFunction, kStatics},
+    {"rotation", Kind::kValue, kValues},   {"rotation", Kind::kField, kFields},
+    {"rotation", Kind::kMethod, kMethods}, {"rotation", Kind::kOperator, kOperators},
 };
 
 }  // namespace

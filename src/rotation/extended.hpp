@@ -1,0 +1,20 @@
+// What the formulas of this floor are computed in: extended precision, rounded once at the end.
+#pragma once
+
+#include <string>
+
+#include "rotation/rotation.hpp"
+
+namespace rotor {
+
+using ExtendedVector = Eigen::Matrix<Extended, 3, 1>;
+using ExtendedMatrix = Eigen::Matrix<Extended, 3, 3>;
+using ExtendedQuaternion = Eigen::Quaternion<Extended>;
+
+/// (cos theta/2, n sin theta/2).
+ExtendedQuaternion half_angle_quaternion(const Rotation& r);
+
+/// Throws std::invalid_argument, "what: expected finite numbers, got given", unless finite.
+void require_finite(bool finite, const char* what, const std::string& given);
+
+}  // namespace rotor
