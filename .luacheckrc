@@ -12,16 +12,18 @@ read_globals = {
   "pi", "deg", "abs", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt",
   "floor", "ceil",
   -- vectors
-  "vec", "dot", "cross", "norm", "unit", "box", "det",
+  "vec", "dot", "cross", "norm", "unit", "box", "det", "orientation", "permutation_sign",
+  -- operators
+  "matrix", "outer", "skew", "axial", "orthonormal_basis", "proper_orthogonal",
   -- rotations
   "rotation", "quaternion", "slerp", "angular_velocity", "rotation_rates", "chain", "commute", "fit_rigid", "mean",
-  "spherical_triangle",
+  "is_rigid", "continuous_quaternions", "spherical_triangle", "draw_sphere",
   -- motion
-  "spin", "evolve", "tradeoff", "read_csv",
+  "spin", "evolve", "tradeoff", "read_csv", "write_csv",
   -- scripted tests
   "theorem", "near", "holds", "fails",
   -- the terminal
-  "help", "precision",
+  "help", "conventions", "precision",
 }
 
 -- A to-be-closed variable is used by being there.

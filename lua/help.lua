@@ -11,13 +11,14 @@ local kMentions = 12  -- as many rows as a search shows
 
 --- The order in which the overview and the reference show the global names; what is not here comes under "Other".
 help.topics = {
-  { "Rotations", "rotation quaternion vec matrix" },
-  { "Combining", "slerp mean commute fit_rigid chain spherical_triangle angular_velocity rotation_rates" },
-  { "Vectors", "dot cross norm unit box det" },
-  { "Motion", "evolve spin tradeoff read_csv" },
+  { "Rotations", "rotation quaternion slerp mean commute chain spherical_triangle" },
+  { "Vectors", "vec dot cross norm unit box orientation orthonormal_basis" },
+  { "Matrices", "matrix det outer skew axial proper_orthogonal permutation_sign" },
+  { "Motion", "evolve angular_velocity rotation_rates spin tradeoff" },
+  { "Data", "read_csv write_csv continuous_quaternions fit_rigid is_rigid" },
   { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs" },
   { "Testing", "theorem near holds fails" },
-  { "Terminal", "help precision" },
+  { "Terminal", "help conventions precision draw_sphere" },
 }
 
 --- The topics with those of their names that there are: { { title, { row, ... } }, ... }.
@@ -62,6 +63,7 @@ local function in_full(row)
     parts[#parts + 1] = text.wrap(call or row.example, "  rotor> ", "         ")
     if shown and shown ~= "" then parts[#parts + 1] = "  " .. shown end
   end
+  if row.page then parts[#parts + 1] = "\n" .. row.page() end
   return table.concat(parts, "\n")
 end
 
@@ -248,7 +250,8 @@ Type an expression to see its value; anything of Lua 5.4 works.
 ]]
 
 local kLast = [[
-help "slerp"  help "R:inverse"  help(R)  help "word"   at the prompt also ?slerp
+help "slerp"   of a type: help "run"   help "R:inverse"   help(R)   help "word"
+At the prompt also ?slerp. help "conventions": other libraries' and rotor's.
 Angles are in radians (30*deg), quaternions (w, x, y, z), rotations active;
 omega is given in the space frame and depends on t alone.
 Unlike lua5.4: an error on piped input ends with status 1, and os.setlocale
@@ -263,7 +266,7 @@ function help.overview()
     rows[i] = { topic[1], table.concat(list, " ") }
   end
   local types = names.types()
-  rows[#rows + 1] = { "Types", table.concat(types, " ") .. '  (what they can do: help "rotation")' }
+  rows[#rows + 1] = { "Types", table.concat(types, " ") }
   return kFirst .. "\n" .. text.two_columns(rows, 12) .. "\n\n" .. kLast
 end
 

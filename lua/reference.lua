@@ -23,6 +23,7 @@ end
 
 local function markdown_of(row)
   local text = "**`" .. help.usage(row) .. "`**\n\n" .. (row.summary or "") .. "\n"
+  if row.page then text = text .. "\n```text\n" .. row.page() .. "\n```\n" end
   return row.example and text .. "\n```lua\n" .. row.example .. "\n```\n" or text
 end
 
@@ -48,7 +49,8 @@ end
 
 local kOperators = { ["+"] = "add", ["-"] = "sub", ["*"] = "mul", ["/"] = "div", ["^"] = "pow" }
 local kUnary = { ["-"] = "unm", ["#"] = "len" }
-local kOperands = { R = "rotation", S = "rotation", v = "vec", w = "vec", q = "quaternion", s = "number", x = "number" }
+local kOperands = { R = "rotation", S = "rotation", v = "vec", w = "vec", q = "quaternion", m = "matrix", n = "matrix",
+  s = "number", x = "number" }
 
 local function comment(summary)
   return summary and summary ~= "" and "---" .. summary:gsub("\n", "\n---") .. "\n" or ""

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "rotation/kinematics.hpp"
 #include "rotation/small_angle.hpp"
 #include "rotation/text.hpp"
 
@@ -162,16 +163,15 @@ Rates Run::rates(const State& state, const Vector& omega) const {
   const double sine = state.quaternion.vec().dot(n);
   Rates rates{along, Vector::Zero(), Vector::Zero()};
   if (fixed_axis_ == 0) {
-    rates.axis_rate =
-        sine == 0
-            ? Vector::Constant(std::numeric_limits<double>::quiet_NaN())
-            : Vector((omega - n * along) * (state.quaternion.w() / sine / 2) + omega.cross(n) / 2);
+    rates.axis_rate = sine == 0 ? Vector::Constant(std::numeric_limits<double>::quiet_NaN())
+                                : axis_rate(n, Extended{state.quaternion.w()} / sine, omega);
   }
   const Vector e = state.euler_vector();
   if (std::abs(state.angle) < 3) {
     // [P7] with its first two terms gathered: omega g + E (omega . E)(1 - g)/theta^2 + omega x E/2.
-    rates.euler_rate = omega * half_cot(state.angle) +
-                       e * (omega.dot(e) * one_minus_half_cot(state.angle)) + omega.cross(e) / 2;
+    const auto g = static_cast<double>(half_cot(state.angle));
+    const auto second = static_cast<double>(one_minus_half_cot(state.angle));
+    rates.euler_rate = omega * g + e * (omega.dot(e) * second) + omega.cross(e) / 2;
   } else {
     rates.euler_rate = n * along + rates.axis_rate * state.angle;
   }

@@ -14,6 +14,9 @@ using ExtendedQuaternion = Eigen::Quaternion<Extended>;
 /// (cos theta/2, n sin theta/2).
 ExtendedQuaternion half_angle_quaternion(const Rotation& r);
 
+/// N3's rule for the operator of a quaternion of any non-zero norm: the canonical rotation.
+Rotation canonical_of(ExtendedQuaternion q);
+
 /// Throws std::invalid_argument, "what: expected finite numbers, got given", unless finite.
 void require_finite(bool finite, const char* what, const std::string& given);
 

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "rotation/extended.hpp"
+#include "rotation/operators.hpp"
+#include "rotation/quaternion.hpp"
 #include "rotation/text.hpp"
 
 namespace rotor {
@@ -17,14 +19,8 @@ static_assert(std::numeric_limits<Extended>::max_exponent >= 16384 &&
                   std::numeric_limits<Extended>::digits >= 64,
               "rotor needs a long double wider than double");
 
-// How far from unit or orthogonal a quaternion or a matrix may be and still be taken for one.
+// How far from unit a quaternion may be and still be taken for one.
 constexpr double kUnitTolerance = 1e-6;
-
-void require_direction(const Quaternion& q, const char* what) {
-  if (!q.coeffs().allFinite() || q.coeffs().isZero(0)) {
-    throw std::invalid_argument(std::string(what) + ": expected a finite non-zero quaternion");
-  }
-}
 
 // The rotation of angle `angle_of(|v|)` about v, the identity for v = 0.
 template <class AngleOf>
@@ -41,22 +37,11 @@ Rotation along(const Vector& v, const char* what, AngleOf angle_of) {
 
 double leading(const Vector& n) { return n.z() != 0 ? n.z() : n.y() != 0 ? n.y() : n.x(); }
 
-// N3's rule for the operator of the unit quaternion q.
-Rotation canonical_of(ExtendedQuaternion q) {
-  if (q.w() < 0) q.coeffs() *= -1;
-  const Rotation r = rotation_of(q);
-  constexpr double kPi = std::numbers::pi;
-  if (r.angle() < std::nextafter(kPi, 0.0)) return r;
-  const Vector& n = r.axis();
-  return {leading(n) < 0 ? Vector(-n) : n, kPi};
-}
-
-// For m = a rotation matrix + noise: N = 4 q q^T + noise, whose column of largest diagonal is an
+// For e = a rotation matrix + noise: N = 4 q q^T + noise, whose column of largest diagonal is an
 // approximate multiple of q. Three more products with N (the power method: the other eigenvalues
 // are of the size of the noise, 1e-6 at most) make it the nearest rotation's q to 1e-24, and
 // average the rounding.
-Rotation rotation_of_proper(const Matrix& m) {
-  const ExtendedMatrix e = m.cast<Extended>();
+Rotation rotation_of_proper(const ExtendedMatrix& e) {
   Eigen::Matrix<Extended, 4, 4> n;  // in the order w x y z
   n(0, 0) = 1 + e.trace();
   n(1, 1) = 1 + e(0, 0) - e(1, 1) - e(2, 2);
@@ -80,6 +65,15 @@ ExtendedQuaternion half_angle_quaternion(const Rotation& r) {
   const Extended half = Extended{r.angle()} / 2;
   const ExtendedVector v = r.axis().cast<Extended>() * std::sin(half);
   return {std::cos(half), v.x(), v.y(), v.z()};
+}
+
+Rotation canonical_of(ExtendedQuaternion q) {
+  if (q.w() < 0) q.coeffs() *= -1;
+  const Rotation r = rotation_of(q);
+  constexpr double kPi = std::numbers::pi;
+  if (r.angle() < std::nextafter(kPi, 0.0)) return r;
+  const Vector& n = r.axis();
+  return {leading(n) < 0 ? Vector(-n) : n, kPi};
 }
 
 void require_finite(bool finite, const char* what, const std::string& given) {
@@ -147,6 +141,13 @@ Vector Rotation::mrp() const {
   return (axis_.cast<Extended>() * std::tan(Extended{angle_} / 4)).cast<double>();
 }
 
+Vector Rotation::shadow_mrp() const {
+  // The largest number instead of infinity, which times a zero of the axis would be NaN.
+  const Extended cot = angle_ == 0 ? std::copysign(std::numeric_limits<Extended>::max(), angle_)
+                                   : 1 / std::tan(Extended{angle_} / 4);
+  return (axis_.cast<Extended>() * -cot).cast<double>();
+}
+
 Rotation operator*(const Rotation& second, const Rotation& first) {
   return rotation_of(half_angle_quaternion(second) * half_angle_quaternion(first));
 }
@@ -180,33 +181,19 @@ Rotation Rotation::canonical() const {
 }
 
 Rotation from_quaternion(const Quaternion& q) {
-  const std::string given =
-      "(" + text(q.w()) + ", " + text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ")";
-  require_finite(q.coeffs().allFinite(), "from_quaternion", given);
+  require_finite(q.coeffs().allFinite(), "from_quaternion", text(q));
   const double size = norm(q);
   if (std::abs(size - 1) > kUnitTolerance) {
     throw std::invalid_argument(
-        "from_quaternion: expected a unit quaternion (norm 1 within 1e-06), got " + given +
+        "from_quaternion: expected a unit quaternion (norm 1 within 1e-06), got " + text(q) +
         " of norm " + text(size) + "; :unit() normalises one");
   }
   return rotation_of(q);
 }
 
 Rotation from_matrix(const Matrix& m) {
-  require_finite(m.allFinite(), "from_matrix", text(m));
-  const double defect = (m.transpose() * m - Matrix::Identity()).cwiseAbs().maxCoeff();
-  if (!(defect <= kUnitTolerance)) {
-    throw std::invalid_argument(
-        "from_matrix: expected a proper orthogonal matrix (within 1e-06), but the largest entry of "
-        "m^T m - 1 is " +
-        text(defect, 3) + "; rotation.nearest(m) gives the nearest rotation");
-  }
-  if (m.determinant() < 0) {
-    throw std::invalid_argument(
-        "from_matrix: expected a proper orthogonal matrix, got a reflection (determinant -1); "
-        "rotation.nearest(m) gives the nearest rotation where there is one");
-  }
-  return rotation_of_proper(m);
+  require_proper_orthogonal(m, "from_matrix");
+  return rotation_of_proper(m.cast<Extended>());
 }
 
 Rotation from_euler_vector(const Vector& v) {
@@ -235,17 +222,23 @@ Rotation nearest_rotation(const Matrix& m) {
   require_finite(m.allFinite(), "nearest", text(m));
   // With m = U S V^T the nearest rotation is U diag(1, 1, d) V^T, d = det(U V^T). It is unique iff
   // s2 + d s3 > 0 (zero: any turn in the plane of the last two singular vectors is as near).
-  const Eigen::JacobiSVD<Matrix> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector& s = svd.singularValues();
-  const double d = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  // The singular values carry an error of a few ulp of the largest.
-  if (!(s(1) + d * s(2) > 8 * std::numeric_limits<double>::epsilon() * s(0))) {
-    throw std::invalid_argument("nearest: no unique nearest rotation: singular values " + text(s) +
-                                (d < 0 ? " and a negative determinant" : "") +
-                                "; expected rank 2 or more, and for a reflection s2 > s3");
+  const Eigen::JacobiSVD<ExtendedMatrix> svd(m.cast<Extended>(),
+                                             Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const ExtendedVector& s = svd.singularValues();
+  const Extended d = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  // Singular values below what the rounding of the entries can make of a zero count as zero.
+  const Extended least = 8 * std::numeric_limits<double>::epsilon() * s(0);
+  if (!(s(1) + d * s(2) > least)) {
+    const auto rank = (s.array() > least).count();
+    throw std::invalid_argument(
+        "nearest: many rotations are as near: the matrix " +
+        (rank < 2 ? "has rank " + std::to_string(rank) + ", less than 2"
+                  : "is a reflection whose two least singular values are equal") +
+        " (singular values " + text(Vector(s.cast<double>())) + ")");
   }
-  return rotation_of_proper(svd.matrixU() * Vector(1, 1, d).asDiagonal() *
-                            svd.matrixV().transpose());
+  const ExtendedMatrix nearest =
+      svd.matrixU() * ExtendedVector(1, 1, d).asDiagonal() * svd.matrixV().transpose();
+  return rotation_of_proper(nearest);
 }
 
 double distance(const Rotation& r, const Rotation& s) {
@@ -257,19 +250,6 @@ Rotation slerp(const Rotation& r, const Rotation& s, double fraction, Way way) {
   Rotation step = (s * r.inverse()).canonical();
   if (way == Way::kLong) step = {step.axis(), step.angle() - 2 * std::numbers::pi};
   return step.power(fraction) * r;
-}
-
-double norm(const Quaternion& q) { return static_cast<double>(q.coeffs().cast<Extended>().norm()); }
-
-Quaternion unit(const Quaternion& q) {
-  require_direction(q, "unit");
-  const auto coeffs = q.coeffs().cast<Extended>();
-  return Quaternion(Eigen::Vector4d((coeffs / coeffs.norm()).cast<double>()));
-}
-
-Polar polar(const Quaternion& q) {
-  require_direction(q, "polar");
-  return {norm(q), rotation_of(q)};
 }
 
 }  // namespace rotor

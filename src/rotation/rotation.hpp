@@ -51,6 +51,9 @@ class Rotation {
   Vector gibbs() const;
   /// n tan(theta/4), modified Rodrigues parameters.
   Vector mrp() const;
+  /// Those of the same operator the other way round, n tan((theta - 2 pi)/4) = -n cot(theta/4):
+  /// infinite along the axis at theta = 0, where the components across it stay 0.
+  Vector shadow_mrp() const;
 
   /// Composition R2 * R1 (R1 first) by Rodrigues' formula [P11, P12]; the angle is in [0, 2 pi],
   /// the axis of an exact identity is e1.
@@ -101,9 +104,9 @@ Rotation from_gibbs(const Vector& g);
 /// Any vector; angle in [0, 2 pi].
 Rotation from_mrp(const Vector& p);
 
-/// The rotation whose matrix is nearest to m in the Frobenius norm; canonical. Throws
-/// std::invalid_argument where there is none or more than one: rank below 2, or a reflection
-/// without a unique answer.
+/// The rotation whose matrix is nearest to m in the Frobenius norm; canonical. There always is one;
+/// std::invalid_argument where there are many: of rank below 2, or a reflection (det m < 0) whose
+/// two least singular values are equal, to the rounding of the entries.
 Rotation nearest_rotation(const Matrix& m);
 
 /// The angle of R^-1 S as an operator, in [0, pi]: the geodesic distance on SO(3).
@@ -113,19 +116,5 @@ enum class Way { kShort, kLong };
 /// The geodesic of operators from r (s = 0) to s (s = 1), at constant rate, the short way or the
 /// long way round. At distance pi both are as short: N3's axis decides.
 Rotation slerp(const Rotation& r, const Rotation& s, double fraction, Way way = Way::kShort);
-
-/// |q| of any finite quaternion, as of a vector.
-double norm(const Quaternion& q);
-/// q/|q|. Throws std::invalid_argument for the zero quaternion and for one that is not finite.
-Quaternion unit(const Quaternion& q);
-
-/// Polar form of a general quaternion [N24-N26]: norm (cos theta/2, u sin theta/2), theta in [0, 2
-/// pi].
-struct Polar {
-  double norm;
-  Rotation rotation;
-};
-/// Throws std::invalid_argument for the zero quaternion, which has no polar form.
-Polar polar(const Quaternion& q);
 
 }  // namespace rotor

@@ -6,33 +6,45 @@
 namespace rotor {
 namespace {
 
-// (2k+2)/(2k+3)! with alternating sign, k = 0 ... 10.
-constexpr std::array<double, 11> series_coefficients() {
-  std::array<double, 11> c{};
-  long double inverse_factorial = 1.0L / 6;  // 1/(2k+3)!
-  for (int k = 0; k < 11; ++k) {
-    c[static_cast<std::size_t>(k)] =
-        static_cast<double>((k % 2 == 0 ? 1 : -1) * (2 * k + 2) * inverse_factorial);
-    inverse_factorial /= (2 * k + 4) * (2 * k + 5);
+// (-1)^k/(2k+3)!, k = 0 ... 11.
+constexpr std::array<Extended, 12> series_coefficients() {
+  std::array<Extended, 12> c{};
+  Extended term = 1.0L / 6;
+  for (int k = 0; k < 12; ++k) {
+    c[static_cast<std::size_t>(k)] = term;
+    term /= -(2 * k + 4) * (2 * k + 5);
   }
   return c;
 }
 constexpr auto kSeries = series_coefficients();
 
+constexpr Extended kSmall = 1.5L;
+
 }  // namespace
 
-double half_cot(double theta) {
-  const double h = theta / 2;
+Extended sinc(Extended theta) { return theta == 0 ? 1 : std::sin(theta) / theta; }
+
+Extended one_minus_cos(Extended theta) {
+  const Extended s = sinc(theta / 2);
+  return s * s / 2;
+}
+
+Extended angle_minus_sin(Extended theta) {
+  if (std::abs(theta) > kSmall) return (theta - std::sin(theta)) / theta / theta / theta;
+  Extended sum = 0;
+  for (auto c = kSeries.rbegin(); c != kSeries.rend(); ++c) sum = sum * theta * theta + *c;
+  return sum;
+}
+
+Extended half_cot(Extended theta) {
+  const Extended h = theta / 2;
   return h == 0 ? 1 : h / std::tan(h);
 }
 
-double one_minus_half_cot(double theta) {
-  const double h = theta / 2;
-  if (std::abs(h) > 1.5) return (1 - half_cot(theta)) / theta / theta;
-  if (h == 0) return 1.0 / 12;
-  double sum = 0;
-  for (auto c = kSeries.rbegin(); c != kSeries.rend(); ++c) sum = sum * h * h + *c;
-  return sum / (4 * (std::sin(h) / h));
+Extended one_minus_half_cot(Extended theta) {
+  const Extended h = theta / 2;
+  if (std::abs(h) > kSmall) return (1 - half_cot(theta)) / theta / theta;
+  return (one_minus_cos(h) - angle_minus_sin(h)) / (4 * sinc(h));
 }
 
 }  // namespace rotor

@@ -46,6 +46,10 @@ std::string text(const Eigen::Vector3d& v) {
   return "(" + text(v.x()) + ", " + text(v.y()) + ", " + text(v.z()) + ")";
 }
 
+std::string text(const Eigen::Quaterniond& q) {
+  return "(" + text(q.w()) + ", " + text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ")";
+}
+
 std::string text(const Eigen::Matrix3d& m) {
   const auto row = [&](int i) { return text(Eigen::Vector3d(m.row(i).transpose())); };
   return "(" + row(0) + ", " + row(1) + ", " + row(2) + ")";

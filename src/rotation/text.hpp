@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <string>
 
 namespace rotor {
@@ -16,6 +17,9 @@ std::string text(double x, int digits);
 
 /// "(x, y, z)".
 std::string text(const Eigen::Vector3d& v);
+
+/// "(w, x, y, z)".
+std::string text(const Eigen::Quaterniond& q);
 
 /// "((a, b, c), (d, e, f), (g, h, i))", row by row.
 std::string text(const Eigen::Matrix3d& m);

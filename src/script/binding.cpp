@@ -253,9 +253,14 @@ void register_groups(lua_State* L) {
   make_type<Vector>(L);
   make_type<Rotation>(L);
   make_type<Quaternion>(L);
+  make_type<Chain>(L);
   make_type<SharedRun>(L);
   make_type<RunState>(L);
   make_type<Cost>(L);
+  make_type<RigidFit>(L);
+  make_type<RotationRates>(L);
+  make_type<Spline>(L);
+  make_type<SphericalTriangle>(L);
 
   lua_newtable(L);
   const int rows = lua_gettop(L);

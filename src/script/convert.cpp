@@ -116,6 +116,11 @@ double Convert<double>::get(lua_State* L, int index) {
   return lua_tonumber(L, index);
 }
 
+bool Convert<bool>::get(lua_State* L, int index) {
+  if (!lua_isboolean(L, index)) throw Mismatch(L, index, "true or false");
+  return lua_toboolean(L, index) != 0;
+}
+
 std::size_t Convert<std::size_t>::get(lua_State* L, int index) {
   int exact = 0;
   const lua_Integer n = lua_tointegerx(L, index, &exact);

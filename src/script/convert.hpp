@@ -15,7 +15,12 @@
 #include <vector>
 
 #include "motion/run.hpp"
+#include "rotation/chain.hpp"
+#include "rotation/fit.hpp"
+#include "rotation/kinematics.hpp"
 #include "rotation/rotation.hpp"
+#include "rotation/spherical_triangle.hpp"
+#include "rotation/spline.hpp"
 
 namespace rotor::script {
 
@@ -51,9 +56,14 @@ struct RunState {
 template <> struct UserType<Vector>     { static constexpr const char* kName = "vec"; };
 template <> struct UserType<Rotation>   { static constexpr const char* kName = "rotation"; };
 template <> struct UserType<Quaternion> { static constexpr const char* kName = "quaternion"; };
+template <> struct UserType<Chain>      { static constexpr const char* kName = "chain"; };
 template <> struct UserType<SharedRun>  { static constexpr const char* kName = "run"; };
 template <> struct UserType<RunState>   { static constexpr const char* kName = "state"; };
 template <> struct UserType<Cost>       { static constexpr const char* kName = "cost"; };
+template <> struct UserType<RigidFit>   { static constexpr const char* kName = "rigid_fit"; };
+template <> struct UserType<RotationRates> { static constexpr const char* kName = "rates"; };
+template <> struct UserType<Spline>     { static constexpr const char* kName = "spline"; };
+template <> struct UserType<SphericalTriangle> { static constexpr const char* kName = "spherical_triangle"; };
 // clang-format on
 
 /// The key of a type's metatable in the registry.
@@ -132,6 +142,7 @@ struct Convert<std::size_t> {
 
 template <>
 struct Convert<bool> {
+  static bool get(lua_State* L, int index);
   static void push(lua_State* L, bool x) { lua_pushboolean(L, x); }
 };
 

@@ -1,12 +1,34 @@
 // vec: the value, and the functions of vectors.
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "rotation/spaces.hpp"
 #include "rotation/text.hpp"
 #include "script/binding.hpp"
 #include "script/show.hpp"
 
 namespace rotor::script {
+
+/// Of any dimension: a vec or a list of numbers; pushed as a vec where it has three components.
+template <>
+struct Convert<Eigen::VectorXd> {
+  static Eigen::VectorXd get(lua_State* L, int index) {
+    if (const Vector* v = test_user_value<Vector>(L, index)) return *v;
+    if (!lua_istable(L, index)) throw Mismatch(L, index, "a vec or a list of numbers");
+    const auto list = Convert<std::vector<double>>::get(L, index);
+    return Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Eigen::Index>(list.size()));
+  }
+  static void push(lua_State* L, const Eigen::VectorXd& v) {
+    if (v.size() == 3) {
+      Convert<Vector>::push(L, v);
+    } else {
+      Convert<std::vector<double>>::push(L, {v.begin(), v.end()});
+    }
+  }
+};
+
 namespace {
 
 Vector make_vec(double x, double y, double z) { return {x, y, z}; }
@@ -42,9 +64,40 @@ Results multiply(lua_State* L) {
 Vector divide(const Vector& v, double x) { return v / x; }
 
 double dot(const Vector& a, const Vector& b) { return a.dot(b); }
-Vector cross(const Vector& a, const Vector& b) { return a.cross(b); }
 double norm_of(const Vector& v) { return norm(v); }
 Vector unit_of(const Vector& v) { return unit(v); }
+
+// All arguments.
+std::vector<Eigen::VectorXd> any_vectors(lua_State* L) {
+  std::vector<Eigen::VectorXd> vectors;
+  const int count = lua_gettop(L);
+  for (int i = 1; i <= count; ++i) vectors.push_back(argument<Eigen::VectorXd>(L, i));
+  return vectors;
+}
+
+Results cross_product(lua_State* L) {
+  Convert<Eigen::VectorXd>::push(L, cross(any_vectors(L)));
+  return {1};
+}
+
+Results box_product(lua_State* L) {
+  lua_pushnumber(L, box(any_vectors(L)));
+  return {1};
+}
+
+// The determinant of an operator is the box product of the rows of its matrix.
+double determinant_of(const std::vector<Eigen::VectorXd>& rows) { return box(rows); }
+
+Results orientation_of(lua_State* L) {
+  lua_pushinteger(L, orientation(any_vectors(L)));
+  return {1};
+}
+
+Results sign_of_permutation(lua_State* L) {
+  refuse_more_arguments(L, 1);
+  lua_pushinteger(L, permutation_sign(argument<std::vector<std::size_t>>(L, 1)));
+  return {1};
+}
 
 constexpr Entry kFunctions[] = {
     {"vec", bound<make_vec>, "vec(x, y, z) -> vec",
@@ -53,8 +106,29 @@ constexpr Entry kFunctions[] = {
      "vec(1, 2, 3) --> vec(1.0, 2.0, 3.0)"},
     {"dot", bound<dot>, "dot(a, b) -> number", "Scalar product of two vectors.",
      "dot({1, 2, 3}, {4, 5, 6}) --> 32.0"},
-    {"cross", bound<cross>, "cross(a, b) -> vec", "Vector product of two vectors [N1].",
+    {"cross", bound<cross_product>, "cross(a, b) -> vec",
+     "Vector product of two vectors [N1]. Of n - 1 lists of n numbers, n from 2 to 8: the list "
+     "that "
+     "is perpendicular to all of them. Exact (then rounded once) if all numbers are integers.",
      "cross({1, 0, 0}, {0, 1, 0}) --> vec(0.0, 0.0, 1.0)"},
+    {"box", bound<box_product>, "box(a, b, c) -> number",
+     "Box product a . cross(b, c), the signed volume [N2]; of n lists of n numbers, n from 2 to 8. "
+     "Exact (then rounded once) if all numbers are integers.",
+     "box({1, 2, 3}, {4, 5, 6}, {7, 8, 10}) --> -3.0"},
+    {"det", bound<determinant_of>, "det(T) -> number",
+     "Determinant of the operator with the matrix T [N3]: n rows of n numbers, n from 2 to 8. "
+     "Exact "
+     "(then rounded once) if all numbers are integers.",
+     "det({{1, 2}, {3, 4}}) --> -2.0"},
+    {"orientation", bound<orientation_of>, "orientation(a, b, c) -> number",
+     "1 if the basis is right-handed, -1 if it is left-handed; of n lists of n numbers, n from 2 "
+     "to "
+     "8. Vectors that are dependent, or too nearly so to tell, are an error.",
+     "orientation({1, 0, 0}, {0, 0, 1}, {0, 1, 0}) --> -1"},
+    {"permutation_sign", bound<sign_of_permutation>, "permutation_sign(list) -> number",
+     "1 for an even permutation of 1, 2, ..., n (an even number of interchanges), -1 for an odd "
+     "one.",
+     "permutation_sign {2, 3, 1} --> 1"},
     {"norm", bound<norm_of>, "norm(v) -> number",
      "Length of a vector; does not over- or underflow on the way.", "norm {3, 0, 4} --> 5.0"},
     {"unit", bound<unit_of>, "unit(v) -> vec",

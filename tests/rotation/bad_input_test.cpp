@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "elements.hpp"
+#include "rotation/quaternion.hpp"
 
 using namespace rotor;
 using namespace rotor::reference;

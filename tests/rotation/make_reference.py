@@ -109,10 +109,10 @@ def product(q, p):
 
 
 def quotient_angles():
-    """All sizes, and around 3 and 8.987, where a formula changes and where 1 - g = 0."""
+    """All sizes, and around 1.5, 3 and 8.987, where a formula changes and where 1 - g = 0."""
     yield from ANGLES
     yield from (1e-323, 3e-323, 1e-310, 1e-307, 1e-154, 1e154, 1e200, 1e300)
-    yield from (3.0000000001, 8.9868189158)
+    yield from (1.5, 1.5000000001, 3.0000000001, 8.9868189158)
     generator = random.Random(21)
     for _ in range(200):
         yield generator.uniform(-3.2, 3.2)
@@ -121,13 +121,20 @@ def quotient_angles():
 
 
 def quotients(angle):
-    """g = (theta/2) cot(theta/2) and (1 - g)/theta^2."""
+    """sin/theta, (1 - cos)/theta^2, (theta - sin)/theta^3, g = (theta/2) cot(theta/2) and
+    (1 - g)/theta^2."""
     if angle == 0:
-        return [mpf(1), mpf(1) / 12]
+        return [mpf(1), mpf(1) / 2, mpf(1) / 6, mpf(1), mpf(1) / 12]
     with mp.workdps(1500):  # 1 - g = theta^2/12 for theta down to 5e-324, and tan of 1e300
-        half = mpf(angle) / 2
-        g = half / tan(half)
-        return [g, (1 - g) / mpf(angle) ** 2]
+        theta = mpf(angle)
+        g = theta / 2 / tan(theta / 2)
+        return [
+            sin(theta) / theta,
+            (1 - cos(theta)) / theta**2,
+            (theta - sin(theta)) / theta**3,
+            g,
+            (1 - g) / theta**2,
+        ]
 
 
 def hexed(x):
@@ -175,9 +182,11 @@ def main():
         for first, second in composition_pairs()
     ])  # fmt: skip
 
-    write("small_angle.csv", ["angle", "g_hi", "g_lo", "second_hi", "second_lo"], [
+    quotient_names = ["sinc", "one_minus_cos", "angle_minus_sin", "g", "second"]
+    write("small_angle.csv", ["angle", *(n + h for n in quotient_names for h in ("_hi", "_lo"))], [
         row((angle,), quotients(angle)) for angle in quotient_angles()
     ])  # fmt: skip
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,5 +1,6 @@
 // Polar form of general quaternions [N24-N26].
 #include "elements.hpp"
+#include "rotation/quaternion.hpp"
 
 using namespace rotor;
 using namespace rotor::reference;

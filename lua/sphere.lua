@@ -1,0 +1,201 @@
+-- The unit sphere in characters, seen from far away: points on it and arcs of great circles.
+local names = require "rotor.names"
+
+-- As registered, whatever a script has made of the global names; a registry of a test's own has none of them.
+local function registered(name)
+  local row = names.find("", name)
+  return row and row.value or rawget(_G, name)
+end
+local vec, dot, cross, unit = registered "vec", registered "dot", registered "cross", registered "unit"
+
+local sphere = {}
+
+local kOptions = { "points", "arcs", "from", "width" }
+local kFrom = { 3, 2, 1.5 }
+local kWidth, kLeast, kMost = 60, 20, 80
+local kHalfCircle = 1e-15  -- an arc as near to pi as this has no direction but that of rounding
+local kMarks = { outline = ":", front = "*", behind = ".", point = "o", point_behind = "+" }
+
+-- What is asked for --------------------------------------------------------------------------------------------------
+
+-- The options as the drawing wants them: unit vectors, arcs as pairs of them. What is wrong with them is raised as
+-- { message }.
+local function refuse(...) error({ string.format(...) }, 0) end
+
+local function described(value)
+  local kind = names.type_of(value)
+  if kind == "table" then return "table of " .. #value .. " items" end
+  if kind == "boolean" then return tostring(value) end
+  return (kind == "string" and "%s %q" or kind == "number" and "%s %s" or "%s"):format(kind, value)
+end
+
+local function direction(value, what)
+  local made, v = pcall(unit, value)
+  if made then return v end
+  refuse("%s: expected a vec or {x, y, z}, finite and not zero, got %s", what, described(value))
+end
+
+local function table_of(value, what, expected)
+  if value == nil then return {} end
+  if type(value) ~= "table" then refuse("%s: expected %s, got %s", what, expected, described(value)) end
+  return value
+end
+
+local function points_of(given)
+  local points, order = {}, {}
+  for name, v in pairs(table_of(given, "points", "a table {name = vec, ...}")) do
+    if type(name) ~= "string" then refuse("points: expected {name = vec, ...}, got the key %s", described(name)) end
+    points[name] = direction(v, "points." .. name)
+    order[#order + 1] = name
+  end
+  table.sort(order)
+  return points, order
+end
+
+-- The shorter way from a to b, { a, b, angle }: cos(s) a + sin(s) b for s from 0 to the angle, b a quarter further.
+local function arc_of(given, i, points)
+  local what = ("arcs: item %d"):format(i)
+  if type(given) ~= "table" or #given ~= 2 then refuse("%s: expected {a, b}, got %s", what, described(given)) end
+  local ends = {}
+  for k, value in ipairs(given) do
+    local point = type(value) == "string" and points[value]
+    if type(value) == "string" and not point then refuse("%s: there is no point named %q", what, value) end
+    ends[k] = point or direction(value, what)
+  end
+  local a, b = ends[1], ends[2]
+  local normal = cross(a, b)
+  local angle = math.atan(math.sqrt(dot(normal, normal)), dot(a, b))
+  if math.pi - angle < kHalfCircle then refuse("%s: its ends are opposite: which way?", what) end
+  return angle > 0 and { a, unit(cross(normal, a)), angle } or { a, a, 0 }
+end
+
+local function scene_of(options)
+  if type(options) ~= "table" or names.type_of(options) ~= "table" then
+    refuse("expected options in braces, got %s", described(options))
+  end
+  for key in pairs(options) do
+    local known = false
+    for _, name in ipairs(kOptions) do known = known or key == name end
+    if not known then
+      local guess = type(key) == "string" and names.suggest(key, kOptions)
+      local shown = type(key) == "string" and "'" .. key .. "'" or described(key)
+      refuse("unknown option %s%s", shown, guess and "; did you mean '" .. guess .. "'?" or "")
+    end
+  end
+  local width = options.width or kWidth
+  if math.type(width) ~= "integer" or width < kLeast or width > kMost then
+    refuse("width: expected %d to %d columns, got %s", kLeast, kMost, described(width))
+  end
+  local points, order = points_of(options.points)
+  local arcs = {}
+  for i, given in ipairs(table_of(options.arcs, "arcs", "a list {{a, b}, ...}")) do
+    arcs[i] = arc_of(given, i, points)
+  end
+  local from = options.from == nil and kFrom or options.from
+  return { points = points, order = order, arcs = arcs, width = width, from = direction(from, "from") }
+end
+
+-- The picture --------------------------------------------------------------------------------------------------------
+
+-- A canvas in whose middle the sphere lies; a character is twice as high as wide.
+local function canvas(width)
+  local radius = (width - 1) // 2
+  local rows = {}
+  for i = 1, 2*(radius // 2) + 1 do
+    rows[i] = {}
+    for j = 1, width do rows[i][j] = " " end
+  end
+  local function place(x, y)
+    return math.floor(#rows/2 + 1 - y*(#rows - 1)/2), math.floor(radius*(1 + x) + 1.5)
+  end
+  return rows, place
+end
+
+-- Writes a name beside its point, a space between: to the right, but to the left where more room is free.
+local function write(row, column, name)
+  local function room(first)
+    local free = 0
+    for i = first, first + #name do free = free + (row[i] == " " and 1 or 0) end
+    return free
+  end
+  local right, left = column + 1, column - 1 - #name
+  local cells = room(left) > room(right) and name .. " " or " " .. name
+  local first = room(left) > room(right) and left or right
+  for i = 1, #cells do
+    if row[first + i - 1] then row[first + i - 1] = cells:sub(i, i) end
+  end
+end
+
+local function drawn(scene)
+  local from = scene.from
+  -- Seen from a pole, y is up.
+  local up = math.abs(from.z) > 1 - 1e-12 and vec(0, 1, 0) or vec(0, 0, 1)
+  local right = unit(cross(up, from))
+  up = cross(from, right)
+  local rows, place = canvas(scene.width)
+  local function at(v) return place(dot(v, right), dot(v, up)) end
+
+  local steps = 8*scene.width  -- around the sphere: some a character
+  for i = 1, steps do
+    local angle = 2*math.pi*i/steps
+    local row, column = place(math.cos(angle), math.sin(angle))
+    rows[row][column] = kMarks.outline
+  end
+  for _, behind in ipairs { true, false } do  -- what is in front is drawn over what is behind
+    for _, arc in ipairs(scene.arcs) do
+      local count = math.max(1, math.ceil(steps*arc[3]/(2*math.pi)))
+      for i = 0, count do
+        local s = arc[3]*i/count
+        local v = math.cos(s)*arc[1] + math.sin(s)*arc[2]
+        if (dot(v, from) < 0) == behind then
+          local row, column = at(v)
+          rows[row][column] = behind and kMarks.behind or kMarks.front
+        end
+      end
+    end
+  end
+  for _, name in ipairs(scene.order) do
+    local v = scene.points[name]
+    local row, column = at(v)
+    write(rows[row], column, name)
+    rows[row][column] = dot(v, from) < 0 and kMarks.point_behind or kMarks.point
+  end
+  local lines = {}
+  for i, row in ipairs(rows) do lines[i] = table.concat(row):gsub("%s+$", "") end
+  lines[#lines + 1] = ("seen from (%.2f, %.2f, %.2f)"):format(from.x, from.y, from.z)
+  lines[#lines + 1] = ("in front %s %s   behind %s %s"):format(kMarks.front, kMarks.point, kMarks.behind,
+    kMarks.point_behind)
+  return table.concat(lines, "\n")
+end
+
+--- The picture as a text, or nil and what is wrong with the options.
+function sphere.picture(options)
+  local made, scene = pcall(scene_of, options)
+  if made then return drawn(scene) end
+  if type(scene) == "table" and #scene == 1 then return nil, scene[1] end
+  error(scene, 0)
+end
+
+--- The global function draw_sphere{points=, arcs=, from=, width=}.
+function sphere.draw(options)
+  local picture, wrong = sphere.picture(options)
+  if not picture then error("draw_sphere: " .. wrong, 2) end
+  print(picture)
+end
+
+--- Draws a spherical_triangle; returns what is wrong with the options, or nil.
+function sphere.draw_triangle(triangle, options)
+  local v, arcs = triangle.vertices, {}
+  for sides, length in pairs(triangle.arcs) do
+    if math.pi - length >= kHalfCircle then arcs[#arcs + 1] = { sides:sub(1, 1), sides:sub(2, 2) } end
+  end
+  local middle = v.p + v.q + v.r
+  options = options or {}
+  local from = options.from
+  if from == nil and dot(middle, middle) > 0.01 then from = middle end
+  local picture, wrong = sphere.picture { points = v, arcs = arcs, from = from, width = options.width }
+  if picture then print(picture) end
+  return wrong
+end
+
+return sphere
