@@ -1,13 +1,27 @@
-// What of a state is written and drawn: columns of CSV files and curves of plots, by name.
+// What of states and rotations is written and drawn: columns of files and tables, curves of plots.
 #pragma once
 
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "motion/run.hpp"
+#include "output/quantity.hpp"
 
 namespace rotor {
+
+/// A name that is not there, and those that may be meant, for a hint.
+struct UnknownName : std::invalid_argument {
+  /// "unknown column 'axes'; there are t, angle, ...": `kind`, `name`, `known`, then `more`.
+  UnknownName(const std::string& kind, const std::string& name, std::vector<std::string> known,
+              const std::string& more = "");
+  /// "unknown column 'axes'".
+  std::string short_message() const { return "unknown " + kind + " '" + name + "'"; }
+
+  std::string kind;
+  std::string name;
+  std::vector<std::string> known;
+};
 
 /// One column: "angle_rad", "axis_x", "quaternion_w", ...
 struct Column {
@@ -16,29 +30,44 @@ struct Column {
   std::string meaning;
 };
 
-/// A choice of columns, and their values at a state of a run.
+/// A choice of columns. Names are of a quantity ("axis": all its components) or of one component
+/// ("axis_x"; the header, as "angle_rad", will do).
 class Columns {
  public:
-  /// Names are of a quantity ("axis": all its components) or of one component ("axis_x"; the
-  /// header, as "angle_rad", will do). Throws std::invalid_argument for an unknown name, with the
-  /// names there are.
-  explicit Columns(std::span<const std::string> names);
-
   const std::vector<Column>& list() const { return columns_; }
   std::vector<std::string> headers() const;
-  /// Appends one value a column.
-  void values(const Run& run, const State& state, std::vector<double>& out) const;
 
-  /// t, angle, axis, euler_vector, quaternion.
-  static std::span<const std::string> standard();
-
- private:
+ protected:
+  /// A component of a quantity. Those of one quantity stand together and are computed together.
   struct Part {
-    std::size_t quantity;
+    const Quantity* quantity;
     std::size_t component;
   };
+  /// Throws UnknownName, and std::invalid_argument where there are no names.
+  Columns(std::span<const std::string> names, bool (*is_known)(const Quantity&));
+
   std::vector<Column> columns_;
   std::vector<Part> parts_;
+};
+
+/// Columns of the states of a run.
+class StateColumns : public Columns {
+ public:
+  explicit StateColumns(std::span<const std::string> names);
+  /// Appends one value a column.
+  void values(const Run& run, const State& state, std::vector<double>& out) const;
+  /// t, angle, axis, euler_vector, quaternion.
+  static std::span<const std::string> standard();
+};
+
+/// Columns of rotations that are in no run: without t, omega and the rates.
+class RotationColumns : public Columns {
+ public:
+  explicit RotationColumns(std::span<const std::string> names);
+  /// Appends one value a column.
+  void values(const Rotation& r, std::vector<double>& out) const;
+  /// angle, axis.
+  static std::span<const std::string> standard();
 };
 
 }  // namespace rotor

@@ -1,30 +1,25 @@
 #include "output/csv.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 namespace rotor {
 namespace {
 
 constexpr std::size_t kFlushed = std::size_t{1} << 16;
-// The longest shortest form is that of -2.2250738585072014e-308: 24 characters; then a separator.
+// The longest shortest form is that of -2.2250738585072014e-308: 24 characters.
 constexpr std::size_t kNumber = 32;
 
-/// A field of the header. An empty one is quoted, too: alone in its row it would be an empty line.
-std::string field(const std::string& name) {
-  if (!name.empty() && name.find_first_of(",\"\r\n") == std::string::npos) return name;
+/// An empty word is quoted, too: alone in its row it would be an empty line.
+std::string field(const std::string& word) {
+  if (!word.empty() && word.find_first_of(",\"\r\n") == std::string::npos) return word;
   std::string quoted = "\"";
-  for (char c : name) quoted.append(c == '"' ? 2 : 1, c);
+  for (char c : word) quoted.append(c == '"' ? 2 : 1, c);
   return quoted + '"';
-}
-
-char* write_number(char* to, double x) {
-  if (std::isnan(x)) return std::strcpy(to, "nan") + 3;  // to_chars would write the sign of a NaN
-  return std::to_chars(to, to + kNumber, x).ptr;
 }
 
 }  // namespace
@@ -33,27 +28,43 @@ CsvWriter::CsvWriter(std::filesystem::path file, std::span<const std::string> he
     : file_(std::move(file)), columns_(header.size()) {
   if (header.empty())
     throw std::invalid_argument(file_.path().string() + ": a CSV file needs at least one column");
-  for (const std::string& name : header) buffer_ += field(name) + ',';
+  for (auto name = header.begin(); name != header.end(); ++name) {
+    if (std::find(header.begin(), name, *name) != name)
+      throw std::invalid_argument(file_.path().string() + ": two columns have the name '" + *name +
+                                  "'");
+    buffer_ += field(*name) + ',';
+  }
   buffer_.back() = '\n';
-  used_ = buffer_.size();
-  buffer_.resize(used_ + kFlushed + columns_ * kNumber);
 }
 
 void CsvWriter::row(std::span<const double> values) {
   file_.require_open();
-  if (values.size() != columns_)
-    throw std::invalid_argument(file_.path().string() + ": a row has " +
-                                std::to_string(values.size()) + " values, the header has " +
-                                std::to_string(columns_) + " names");
-  char* end = buffer_.data() + used_;
-  for (double value : values) {
-    end = write_number(end, value);
-    *end++ = ',';
+  require_count(values.size());
+  for (double value : values) cell(value);
+  end_row();
+}
+
+void CsvWriter::cell(double value) {
+  ++cells_;
+  if (std::isnan(value)) {
+    buffer_ += "nan,";  // to_chars would write the sign of a NaN
+    return;
   }
-  end[-1] = '\n';
-  used_ = static_cast<std::size_t>(end - buffer_.data());
+  std::array<char, kNumber> number;
+  buffer_.append(number.begin(), std::to_chars(number.begin(), number.end(), value).ptr) += ',';
+}
+
+void CsvWriter::cell(const std::string& word) {
+  ++cells_;
+  buffer_ += field(word) + ',';
+}
+
+void CsvWriter::end_row() {
+  file_.require_open();
+  require_count(std::exchange(cells_, 0));
+  buffer_.back() = '\n';
   ++rows_;
-  if (used_ >= kFlushed) flush();
+  if (buffer_.size() >= kFlushed) flush();
 }
 
 void CsvWriter::commit() {
@@ -62,8 +73,14 @@ void CsvWriter::commit() {
 }
 
 void CsvWriter::flush() {
-  file_.write(std::string_view(buffer_).substr(0, used_));
-  used_ = 0;
+  file_.write(buffer_);
+  buffer_.clear();
+}
+
+void CsvWriter::require_count(std::size_t count) const {
+  if (count != columns_)
+    throw std::invalid_argument(file_.path().string() + ": a row has " + std::to_string(count) +
+                                " values, the header has " + std::to_string(columns_) + " names");
 }
 
 }  // namespace rotor

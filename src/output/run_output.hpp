@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 
@@ -18,16 +17,16 @@ namespace rotor {
 /// on what was run, for instance the script's name. To what is not a regular file (a pipe, a
 /// terminal) the table alone is written, and the answer is false. Throws std::system_error if a
 /// file cannot be written.
-bool write_csv(const Run& run, std::span<const double> times, const Columns& columns,
+bool write_csv(const Run& run, std::span<const double> times, const StateColumns& columns,
                const std::filesystem::path& file, const std::string& scene,
                const Observer& observer = {});
 
-/// Columns at the times as an aligned table for people; `number` writes the numbers.
-std::string table(const Run& run, std::span<const double> times, const Columns& columns,
-                  const std::function<std::string(double)>& number, const Observer& observer = {});
+/// Columns at the times as an aligned table for people, of at most `digits` significant digits.
+std::string table(const Run& run, std::span<const double> times, const StateColumns& columns,
+                  int digits, const Observer& observer = {});
 
 /// Columns over time as an ASCII plot.
-std::string plot(const Run& run, std::span<const double> times, const Columns& columns,
+std::string plot(const Run& run, std::span<const double> times, const StateColumns& columns,
                  PlotOptions options = {}, const Observer& observer = {});
 
 }  // namespace rotor

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "output/utf8.hpp"
+#include "rotation/text.hpp"
 
 namespace rotor {
 namespace {
@@ -105,6 +106,23 @@ std::string table(std::span<const std::string> header,
   for (const std::string& line : lines)
     out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
   return out;
+}
+
+std::string number_table(std::vector<std::string> header, std::span<const std::vector<double>> rows,
+                         int digits, bool numbered, std::size_t width) {
+  constexpr int kLeastDigits = 6;
+  if (numbered) header.insert(header.begin(), "i");
+  for (;; --digits) {
+    std::vector<std::vector<std::string>> cells(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (numbered) cells[i].push_back(std::to_string(i + 1));
+      for (const double x : rows[i]) cells[i].push_back(text(x, digits));
+    }
+    std::string written = table(header, cells);
+    // The rule, the second line, is as wide as the widest.
+    const std::size_t rule = written.find('\n') + 1;
+    if (digits <= kLeastDigits || written.find('\n', rule) - rule <= width) return written;
+  }
 }
 
 }  // namespace rotor

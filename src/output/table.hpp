@@ -1,6 +1,7 @@
 // Tables for people.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,5 +22,10 @@ enum class Align {
 std::string table(std::span<const std::string> header,
                   std::span<const std::vector<std::string>> rows,
                   std::span<const Align> alignment = {});
+
+/// A table of numbers for people: with as many significant digits (`digits` at most, 6 at least) as
+/// fit into `width` columns. If it is `numbered`, the first column, i, counts the rows from 1.
+std::string number_table(std::vector<std::string> header, std::span<const std::vector<double>> rows,
+                         int digits, bool numbered = false, std::size_t width = 80);
 
 }  // namespace rotor

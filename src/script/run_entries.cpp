@@ -11,6 +11,7 @@
 #include "script/binding.hpp"
 #include "script/evolve.hpp"
 #include "script/options.hpp"
+#include "script/output_options.hpp"
 #include "script/progress.hpp"
 #include "script/show.hpp"
 
@@ -25,13 +26,6 @@ Results evolve_entry(lua_State* L) {
   return {1};
 }
 
-// By Lua's own print, which a script may have put in its place; it ends the line itself.
-void print(lua_State* L, const std::string& text) {
-  lua_getglobal(L, "print");
-  lua_pushlstring(L, text.data(), text.ends_with('\n') ? text.size() - 1 : text.size());
-  lua_call(L, 1, 0);
-}
-
 // Times in an options table, {n=}, {every=} or {times=}; n as given where there is none.
 std::vector<double> times_of(const Options& options, const Run& run, std::size_t otherwise = 1000) {
   const auto n = options.get<std::size_t>("n");
@@ -43,12 +37,6 @@ std::vector<double> times_of(const Options& options, const Run& run, std::size_t
   if (times) return *times;
   if (every) return times_every(run.t0(), run.t1(), *every);
   return times_in(run.t0(), run.t1(), n.value_or(otherwise));
-}
-
-// A name, or a list of names.
-std::vector<std::string> names_at(lua_State* L, int index) {
-  if (lua_isstring(L, index)) return {Convert<std::string>::get(L, index)};
-  return Convert<std::vector<std::string>>::get(L, index);
 }
 
 // run(t).
@@ -71,32 +59,16 @@ Results sample(lua_State* L) {
   return {1};
 }
 
-// The name of the script, from the table arg (which has the program before it), for the record.
-std::string scene_name(lua_State* L) {
-  const StackGuard guard(L);
-  if (lua_getglobal(L, "arg") != LUA_TTABLE || lua_rawgeti(L, -1, -1) != LUA_TSTRING)
-    return "terminal";
-  return lua_rawgeti(L, -2, 0) == LUA_TSTRING ? lua_tostring(L, -1) : "terminal";
-}
-
 constexpr const char* kCsv = "run:csv(file, {n=, every=, times=, columns=})";
 Results csv(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
-  const std::string file = argument<std::string>(L, 2);
-  if (file.empty()) throw std::invalid_argument("the file name is empty");
+  const std::string file = file_argument(L, 2);
   const Options options(L, 3, kCsv);
   const std::vector<double> times = times_of(options, *run);
-  std::vector<std::string> names(Columns::standard().begin(), Columns::standard().end());
-  if (options.has("columns")) {
-    options.push("columns");
-    names = names_at(L, lua_gettop(L));
-  }
-  const Columns columns(names);
+  const auto columns = columns_option<StateColumns>(L, options);
   const bool with_json =
       write_csv(*run, times, columns, file, scene_name(L), watching(run->t0(), run->t1()));
-  const std::string message = "wrote " + file + " (" + std::to_string(times.size()) + " rows)" +
-                              (with_json ? " and " + file + ".json" : "");
-  print(L, message);
+  print_written(L, file, times.size(), with_json);
   return {0};
 }
 
@@ -114,25 +86,23 @@ int size_option(const Options& options, const char* key, std::size_t otherwise) 
 constexpr const char* kPlot = "run:plot(what, {n=, every=, times=, title=, width=, height=})";
 Results plot_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
-  const std::vector<std::string> names = names_at(L, 2);
+  const auto columns = columns_of<StateColumns>(L, argument<Names>(L, 2).list);
   const Options options(L, 3, kPlot);
   PlotOptions look;
   look.title = options.get<std::string>("title").value_or("");
   look.width = size_option(options, "width", 80);
   look.height = size_option(options, "height", 20);
-  print(L,
-        plot(*run, times_of(options, *run), Columns(names), look, watching(run->t0(), run->t1())));
+  print(L, plot(*run, times_of(options, *run), columns, look, watching(run->t0(), run->t1())));
   return {0};
 }
 
 constexpr const char* kTable = "run:table(what, {n=, every=, times=})";
 Results table_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
-  std::vector<std::string> names = names_at(L, 2);
+  std::vector<std::string> names = argument<Names>(L, 2).list;
   names.insert(names.begin(), "t");
   const Options options(L, 3, kTable);
-  const auto number = [](double x) { return shown(x); };
-  print(L, table(*run, times_of(options, *run, 11), Columns(names), number,
+  print(L, table(*run, times_of(options, *run, 11), columns_of<StateColumns>(L, names), precision(),
                  watching(run->t0(), run->t1())));
   return {0};
 }
@@ -241,13 +211,14 @@ constexpr Entry kMethods[] = {
      "FILE.json. columns: "
      "names of quantities (\"axis\") or components (\"axis_x\"): t, angle, axis, euler_vector, "
      "quaternion "
-     "(these by default), modified_gibbs, gibbs, mrp, matrix, omega, angle_rate, axis_rate, "
-     "euler_rate.",
+     "(these by default), mrp, shadow_mrp, matrix, gibbs, modified_gibbs, euler_zyx (as all twelve "
+     "sequences, "
+     "body axes), omega, angle_rate, axis_rate, euler_rate.",
      ROTOR_RUN ":csv(\"/dev/null\", {n = 11}) --> "},
     {"table", bound<table_entry>, kTable,
      "Prints quantities or components, as named for run:csv (one name or a list), at n times "
      "(default 11), at "
-     "every so much, or at the given times.",
+     "every so much, or at the given times. Digits are left out that do not fit into 80 columns.",
      ROTOR_RUN ":table(\"angle\", {n = 3}) --> "},
     {"plot", bound<plot_entry>, kPlot,
      "Draws quantities or components over t, as named for run:csv: one name or a list of names.",

@@ -82,17 +82,20 @@ TEST_CASE("CSV: every double reads back as itself, through a buffer many times f
 TEST_CASE("CSV: a header longer than the buffer") {
   Directory here;
   const std::string name(100000, 'n');
-  CsvWriter csv(here.path / "run.csv", Names{name, name});
+  const std::string other(100000, 'o');
+  CsvWriter csv(here.path / "run.csv", Names{name, other});
   csv.row(Values{1, 2});
   csv.row(Values{3, 4});
   csv.commit();
-  CHECK(content(here.path / "run.csv") == name + "," + name + "\n1,2\n3,4\n");
+  CHECK(content(here.path / "run.csv") == name + "," + other + "\n1,2\n3,4\n");
 }
 
 TEST_CASE("CSV: misuse is said") {
   Directory here;
   const std::string file = (here.path / "run.csv").string();
   CHECK_THROWS_WITH(CsvWriter(file, Names{}), file + ": a CSV file needs at least one column");
+  CHECK_THROWS_WITH(CsvWriter(file, Names{"a", "b", "a"}),
+                    file + ": two columns have the name 'a'");
   CsvWriter csv(file, Names{"a", "b"});
   CHECK_THROWS_WITH(csv.row(Values{1, 2, 3}),
                     file + ": a row has 3 values, the header has 2 names");
@@ -101,6 +104,16 @@ TEST_CASE("CSV: misuse is said") {
   CHECK_THROWS_AS(csv.row(Values{1, 2}), std::logic_error);
   CHECK_THROWS_AS(csv.commit(), std::logic_error);
   CHECK(content(file) == "a,b\n");
+}
+
+TEST_CASE("CSV: numbers and words, cell by cell") {
+  Directory here;
+  CsvWriter csv(here.path / "run.csv", Names{"x", "name"});
+  csv.cell(0.5);
+  csv.cell(std::string("a,b"));
+  csv.end_row();
+  csv.cell(kNaN);
+  CHECK_THROWS_AS(csv.end_row(), std::invalid_argument);
 }
 
 TEST_CASE("CSV: a full device fails, at the latest in commit") {

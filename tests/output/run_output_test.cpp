@@ -25,7 +25,7 @@ Run coning(double to = 3) {
 
 std::vector<double> values_of(const Run& run, double t, const std::vector<std::string>& names) {
   std::vector<double> values;
-  Columns(names).values(run, run(t), values);
+  StateColumns(names).values(run, run(t), values);
   return values;
 }
 
@@ -33,20 +33,20 @@ std::vector<double> values_of(const Run& run, double t, const std::vector<std::s
 
 TEST_CASE("Columns are named by quantity, component or header, in the order asked for") {
   const std::vector<std::string> names = {"axis_y", "t", "quaternion", "angle_rad", "matrix"};
-  CHECK(Columns(names).headers() ==
+  CHECK(StateColumns(names).headers() ==
         std::vector<std::string>{"axis_y", "t", "quaternion_w", "quaternion_x", "quaternion_y",
                                  "quaternion_z", "angle_rad", "matrix_11", "matrix_12", "matrix_13",
                                  "matrix_21", "matrix_22", "matrix_23", "matrix_31", "matrix_32",
                                  "matrix_33"});
   const std::vector<std::string> unknown = {"axes"};
   try {
-    Columns{unknown};
+    StateColumns{unknown};
     FAIL("an unknown column is refused");
   } catch (const std::invalid_argument& error) {
     CHECK(
         std::string(error.what()).starts_with("unknown column 'axes'; there are t, angle, axis,"));
   }
-  CHECK_THROWS_AS(Columns(std::span<const std::string>{}), std::invalid_argument);
+  CHECK_THROWS_AS(StateColumns(std::span<const std::string>{}), std::invalid_argument);
 }
 
 TEST_CASE("Every column is what the state and the equations say") {
@@ -68,6 +68,10 @@ TEST_CASE("Every column is what the state and the equations say") {
     check("gibbs", r.gibbs());
     check("mrp", r.mrp());
     check("omega", Vector(std::cos(t), std::sin(t), 0.25));
+    const std::vector<double> e = values_of(run, t, {"euler_zxz"});
+    const Rotation again =
+        Rotation({0, 0, 1}, e[0]) * Rotation({1, 0, 0}, e[1]) * Rotation({0, 0, 1}, e[2]);
+    CHECK(distance(again, r) < 1e-14);
     const std::vector<double> m = values_of(run, t, {"matrix"});
     for (int i = 0; i < 9; ++i)
       CHECK(std::abs(m[static_cast<std::size_t>(i)] - r.matrix()(i / 3, i % 3)) < 1e-14);
@@ -85,6 +89,7 @@ TEST_CASE("The vectors of a state hold through all turns, where their angle is r
     CHECK(state.modified_gibbs().z() == Approx(std::sin(t / 2)).margin(1e-14));
     CHECK(state.gibbs().z() == Approx(std::tan(t / 2)).epsilon(1e-12));
     CHECK(state.mrp().z() == Approx(std::tan(t / 4)).epsilon(1e-12));
+    CHECK(values_of(run, t, {"shadow_mrp_z"})[0] == Approx(-1 / std::tan(t / 4)).epsilon(1e-12));
     CHECK(state.matrix()(1, 0) == Approx(std::sin(t)).margin(1e-14));
   }
 }
@@ -95,7 +100,7 @@ TEST_CASE("A CSV file has the states, to the last digit, and its JSON where they
   const Run run = coning();
   const std::vector<double> times = times_in(0, 3, 7);
   const std::vector<std::string> names = {"t", "angle", "axis"};
-  CHECK(write_csv(run, times, Columns(names), file, "a script"));
+  CHECK(write_csv(run, times, StateColumns(names), file, "a script"));
 
   std::istringstream lines(test::content(file));
   std::string line;
@@ -118,7 +123,7 @@ TEST_CASE("A CSV file has the states, to the last digit, and its JSON where they
                             "\"scene\": \"a script\"", "\"complete\": true", "\"angle_rad\""}) {
     CHECK(json.find(piece) != std::string::npos);
   }
-  CHECK(!write_csv(run, times, Columns(names), "/dev/null", ""));
+  CHECK(!write_csv(run, times, StateColumns(names), "/dev/null", ""));
 }
 
 TEST_CASE("An observer stops the writing, and the file does not appear") {
@@ -128,7 +133,7 @@ TEST_CASE("An observer stops the writing, and the file does not appear") {
   const std::vector<double> times = times_in(0, 3, 1000);
   int calls = 0;
   const Observer tenth = [&](double) { return ++calls < 10; };
-  CHECK_THROWS_AS(write_csv(coning(), times, Columns(names), file, "", tenth), Interrupted);
+  CHECK_THROWS_AS(write_csv(coning(), times, StateColumns(names), file, "", tenth), Interrupted);
   CHECK(directory.entries() == 0);
 }
 
@@ -136,10 +141,9 @@ TEST_CASE("A table and a plot have what is asked") {
   const Run run = coning();
   const std::vector<double> times = times_in(0, 3, 4);
   const std::vector<std::string> names = {"t", "angle"};
-  const auto number = [](double x) { return std::to_string(static_cast<int>(x)); };
-  const std::string text = table(run, times, Columns(names), number);
-  CHECK(text.starts_with("t  angle_rad\n"));
+  const std::string text = table(run, times, StateColumns(names), 17);
+  CHECK(text.starts_with("  t           angle_rad\n"));
   CHECK(std::count(text.begin(), text.end(), '\n') == 6);
   const std::vector<std::string> angle = {"angle"};
-  CHECK(plot(run, times, Columns(angle)).find("angle_rad") != std::string::npos);
+  CHECK(plot(run, times, StateColumns(angle)).find("angle_rad") != std::string::npos);
 }

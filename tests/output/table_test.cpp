@@ -50,5 +50,23 @@ TEST_CASE("table: a row longer than the header is refused") {
                     "table: row 2 has 2 cells, the header has 1");
 }
 
+TEST_CASE("table: numbers lose the digits that do not fit, and keep six") {
+  const std::vector<std::vector<double>> rows{{1.0 / 3, 2.0 / 3}, {12, -0.5}};
+  CHECK(number_table({"a", "b"}, rows, 17) ==
+        "                  a                    b\n"
+        "-------------------  -------------------\n"
+        " 0.3333333333333333   0.6666666666666666\n"
+        "12.0                 -0.5\n");
+  // Two columns of 9 and two blanks between: a sign, two digits before the point, six behind it.
+  const std::string seven =
+      "i          a          b\n"
+      "-  ---------  ---------\n"
+      "1   0.333333   0.666667\n"
+      "2  12.0       -0.5\n";
+  CHECK(number_table({"a", "b"}, rows, 17, true, 23) == seven);
+  CHECK(number_table({"a", "b"}, rows, 17, true, 1) == seven);
+  CHECK(number_table({"a"}, {}, 17, true) == "i  a\n-  -\n");
+}
+
 }  // namespace
 }  // namespace rotor

@@ -1,0 +1,47 @@
+// What of a state or of a rotation is written, drawn and read, by name.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "motion/run.hpp"
+
+namespace rotor {
+
+/// A state, and what of it is computed at most once for all columns of a row.
+class StateRow {
+ public:
+  StateRow(const Run& run, const State& state) : run_(run), state_(state) {}
+  const State& state() const { return state_; }
+  const Vector& omega();
+  const Rates& rates();
+
+ private:
+  const Run& run_;
+  const State& state_;
+  std::optional<Vector> omega_;
+  std::optional<Rates> rates_;
+};
+
+struct Quantity {
+  using Values = std::array<double, 9>;  // the first ones, as many as there are components
+
+  const char* name;
+  const char* components;  // one letter or two digits each; "" for a scalar
+  const char* unit;        // suffix of the header
+  const char* meaning;
+  Values (*of_state)(StateRow&);
+  Values (*of_rotation)(const Rotation&);  // null for what only a motion has
+  Rotation (*rotation)(const Values&);     // null for what does not determine one
+
+  /// The names of the components: "angle"; "axis_x", ...; "matrix_11", ...
+  std::vector<std::string> parts() const;
+};
+
+/// All of them, of the faces first what keeps most of a rotation.
+std::span<const Quantity> quantities();
+
+}  // namespace rotor

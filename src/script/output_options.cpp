@@ -1,0 +1,51 @@
+#include "script/output_options.hpp"
+
+#include <stdexcept>
+
+#include "script/binding.hpp"
+#include "script/lua_value.hpp"
+
+namespace rotor::script {
+
+void print(lua_State* L, const std::string& text) {
+  lua_getglobal(L, "print");
+  lua_pushlstring(L, text.data(), text.ends_with('\n') ? text.size() - 1 : text.size());
+  lua_call(L, 1, 0);
+}
+
+void print_written(lua_State* L, const std::string& file, std::size_t rows, bool with_json) {
+  print(L, "wrote " + file + " (" + std::to_string(rows) + (rows == 1 ? " row)" : " rows)") +
+               (with_json ? " and " + file + ".json" : ""));
+}
+
+std::string file_argument(lua_State* L, int index) {
+  const std::string file = argument<std::string>(L, index);
+  if (file.empty()) throw std::invalid_argument("the file name is empty");
+  return file;
+}
+
+Names Convert<Names>::get(lua_State* L, int index) {
+  if (lua_type(L, index) == LUA_TSTRING) return {{Convert<std::string>::get(L, index)}};
+  if (!lua_istable(L, index)) throw Mismatch(L, index, "a name or a list of names");
+  return {Convert<std::vector<std::string>>::get(L, index)};
+}
+
+std::string scene_name(lua_State* L) {
+  const StackGuard guard(L);
+  if (lua_getglobal(L, "arg") != LUA_TTABLE || lua_rawgeti(L, -1, -1) != LUA_TSTRING)
+    return "terminal";
+  return lua_rawgeti(L, -2, 0) == LUA_TSTRING ? lua_tostring(L, -1) : "terminal";
+}
+
+void throw_with_hint(lua_State* L, const UnknownName& unknown) {
+  const StackGuard guard(L);
+  lua_createtable(L, 0, static_cast<int>(unknown.known.size()));
+  for (const std::string& name : unknown.known) {
+    lua_pushboolean(L, 1);
+    lua_setfield(L, -2, name.c_str());
+  }
+  const std::string hint = did_you_mean(L, unknown.name, lua_gettop(L));
+  throw std::invalid_argument(hint.empty() ? unknown.what() : unknown.short_message() + hint);
+}
+
+}  // namespace rotor::script

@@ -1,0 +1,54 @@
+// What the functions that print, write and read tables share.
+#pragma once
+
+#include <lua.hpp>
+#include <string>
+#include <vector>
+
+#include "output/columns.hpp"
+#include "script/options.hpp"
+
+namespace rotor::script {
+
+/// By Lua's own print, which a script may have put in its place; it ends the line itself.
+void print(lua_State* L, const std::string& text);
+
+/// "wrote FILE (7 rows) and FILE.json", printed.
+void print_written(lua_State* L, const std::string& file, std::size_t rows, bool with_json);
+
+/// The argument at `index`, a file's name; throws std::invalid_argument if it is empty.
+std::string file_argument(lua_State* L, int index);
+
+/// A name, or a list of names.
+struct Names {
+  std::vector<std::string> list;
+};
+template <>
+struct Convert<Names> {
+  static Names get(lua_State* L, int index);
+};
+
+/// The name of the script, from the table arg (which has the program before it), or "terminal".
+std::string scene_name(lua_State* L);
+
+/// As std::invalid_argument, with "did you mean" where there is one.
+[[noreturn]] void throw_with_hint(lua_State* L, const UnknownName& unknown);
+
+/// C(names), a choice of columns.
+template <class C>
+C columns_of(lua_State* L, const std::vector<std::string>& names) {
+  try {
+    return C(names);
+  } catch (const UnknownName& unknown) {
+    throw_with_hint(L, unknown);
+  }
+}
+
+/// The columns of the option, or the standard ones.
+template <class C>
+C columns_option(lua_State* L, const Options& options) {
+  const auto names = options.get<Names>("columns");
+  return names ? columns_of<C>(L, names->list) : C(C::standard());
+}
+
+}  // namespace rotor::script

@@ -1,0 +1,189 @@
+// Lists of rotations: their columns against the faces, and back from files.
+#include "output/list_output.hpp"
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "directory.hpp"
+#include "output/file.hpp"
+#include "rotation/factoring.hpp"
+
+namespace rotor {
+namespace {
+
+using test::Directory;
+using Names = std::vector<std::string>;
+using Rotations = std::vector<Rotation>;
+
+constexpr double kPi = 3.141592653589793;
+
+// Seeded ones of any turn, and those at which faces are singular or tiny.
+Rotations some_rotations() {
+  Rotations list = {{},
+                    {{0, 0, 1}, kPi},
+                    {{1, 2, 2}, 5e-324},
+                    {{1, -2, 2}, -0.0},
+                    {{0, 1, 0}, kPi / 2},
+                    {{-1, 1, 1e-300}, 2 * kPi},
+                    {{3, 1, 2}, -1e15}};
+  std::mt19937_64 random(20240523);
+  std::normal_distribution<double> normal;
+  while (list.size() < 200)
+    list.emplace_back(Vector(normal(random), normal(random), normal(random)), 5 * normal(random));
+  return list;
+}
+
+std::vector<double> values_of(const Rotation& r, const std::string& name) {
+  std::vector<double> values;
+  RotationColumns(Names{name}).values(r, values);
+  return values;
+}
+
+std::vector<double> list_of(const Vector& v) { return {v.x(), v.y(), v.z()}; }
+
+TEST_CASE("List: columns are the faces' own values, to the last bit") {
+  for (const Rotation& r : some_rotations()) {
+    CAPTURE(r.axis().transpose(), r.angle());
+    CHECK(values_of(r, "angle_rad") == std::vector<double>{r.angle()});
+    CHECK(values_of(r, "axis") == list_of(r.axis()));
+    CHECK(values_of(r, "euler_vector") == list_of(r.euler_vector()));
+    CHECK(values_of(r, "modified_gibbs") == list_of(r.modified_gibbs()));
+    CHECK(values_of(r, "gibbs") == list_of(r.gibbs()));
+    CHECK(values_of(r, "mrp") == list_of(r.mrp()));
+    CHECK(values_of(r, "shadow_mrp") == list_of(r.shadow_mrp()));
+    CHECK(values_of(r, "matrix_23") == std::vector<double>{r.matrix()(1, 2)});
+    const Quaternion q = r.quaternion();
+    CHECK(values_of(r, "quaternion") == std::vector<double>{q.w(), q.x(), q.y(), q.z()});
+    CHECK(values_of(r, "euler_yzx") == euler_angles(r, "yzx").solutions.front());
+  }
+}
+
+TEST_CASE("List: what only a motion has is no column of a rotation") {
+  CHECK(RotationColumns(Names{"axis_y", "euler_xyx"}).headers() ==
+        Names{"axis_y", "euler_xyx_1_rad", "euler_xyx_2_rad", "euler_xyx_3_rad"});
+  for (const char* name : {"t", "omega", "angle_rate", "axis_rate", "euler_rate", "axes"}) {
+    CAPTURE(name);
+    CHECK_THROWS_AS(RotationColumns(Names{name}), UnknownName);
+  }
+  CHECK_THROWS_AS(RotationColumns(Names{}), std::invalid_argument);
+}
+
+TEST_CASE("List: a file of each face reads back as the same operators") {
+  const Rotations list = some_rotations();
+  for (const std::string& face : face_names()) {
+    CAPTURE(face);
+    Directory here;
+    const auto file = here.path / "list.csv";
+    const Names columns = face == "axis_angle" ? Names{"axis", "angle"} : Names{face};
+    CHECK(write_csv(list, RotationColumns(columns), file, "a test"));
+    const Rotations back = rotations_of(read_csv(file));
+    REQUIRE(back.size() == list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      CAPTURE(i, list[i].axis().transpose(), list[i].angle());
+      if (face == "axis_angle") {
+        CHECK(back[i].angle() == list[i].angle());
+        // The axis is made unit again, which may cost each component an ulp: 1.1e-16 below 1.
+        CHECK((back[i].axis() - list[i].axis()).norm() < 2e-16);
+      } else if (face == "euler_vector") {
+        // |E| = theta |n|: 1e-16 each from n, which is not quite unit, E and its length. Of the
+        // angle 1e15 that is more than a turn would bear: no operators here.
+        CHECK(back[i].angle() == Approx(std::abs(list[i].angle())).epsilon(3.3e-16).margin(0));
+      } else if (face == "modified_gibbs") {
+        // The sign of cos(theta/2) is lost; and the angle 2 asin |M| moves by 2 sqrt(2 e) at |M| =
+        // 1, where e = sqrt(3)/2 ulp: 2.8e-8.
+        Quaternion q = list[i].quaternion();
+        q.w() = std::abs(q.w());
+        CHECK(distance(back[i], from_quaternion(q)) < 2.8e-8);
+      } else {
+        // Components near 1 are within 5.5e-17, three to nine of them, and count twice in the
+        // angle: at most 5e-16. The axis and the angle read, in [0, 2 pi], add 2e-16 and 4.5e-16;
+        // three Euler angles of up to pi are 6.7e-16 at most instead of the 5e-16.
+        CHECK(distance(back[i], list[i]) < 1.5e-15);
+      }
+    }
+    const std::string json = test::content(file.string() + ".json");
+    for (const char* piece : {"\"rows\": 200", "\"scene\": \"a test\"", "scalar first"})
+      CHECK(json.find(piece) != std::string::npos);
+  }
+}
+
+class File {
+ public:
+  explicit File(std::string_view content) { write_file(path(), content); }
+  std::filesystem::path path() const { return here_.path / "list.csv"; }
+  Rotations rotations(const std::string& face = "", const Names& names = {}) const {
+    return rotations_of(read_csv(path()), face, names);
+  }
+
+ private:
+  Directory here_;
+};
+
+TEST_CASE("List: the face that keeps most is read, or the one asked for") {
+  const File file(
+      "t,quaternion_w,quaternion_x,quaternion_y,quaternion_z,axis_x,axis_y,axis_z,angle\n"
+      "0,1,0,0,0,0,0,2,7\n");
+  CHECK(file.rotations() == Rotations{{{0, 0, 1}, 7}});
+  CHECK(file.rotations("quaternion") == Rotations{{}});
+  CHECK_THROWS_WITH(file.rotations("mrp"),
+                    Catch::StartsWith("unknown column 'mrp_x'; there are t,"));
+  CHECK_THROWS_WITH(file.rotations("quarternion"),
+                    Catch::StartsWith("unknown face 'quarternion'; there are axis_angle, "));
+}
+
+TEST_CASE("List: columns of other names are told face by face") {
+  const File file("qx,qy,qz,qw\n0,0,0,1\n0,0,1,0\n");
+  CHECK(file.rotations("quaternion", {"qw", "qx", "qy", "qz"}) == Rotations{{}, {{0, 0, 1}, kPi}});
+  CHECK_THROWS_WITH(file.rotations("quaternion", {"qw", "qx", "qy"}),
+                    "columns: quaternion has 4 components, got 3 names");
+  CHECK_THROWS_WITH(file.rotations("quaternion", {"q0", "qx", "qy", "qz"}),
+                    "unknown column 'q0'; there are qx, qy, qz, qw");
+  CHECK_THROWS_WITH(file.rotations("", {"qw", "qx", "qy", "qz"}),
+                    "columns: say which face they are of, as face = \"quaternion\"");
+  CHECK_THROWS_WITH(file.rotations(),
+                    file.path().string() +
+                        ": expected all columns of a face, as quaternion_w, quaternion_x, "
+                        "quaternion_y, quaternion_z; there are qx, qy, qz, qw");
+}
+
+TEST_CASE("List: a row that is no rotation is named by its line") {
+  const char* header = "quaternion_w,quaternion_x,quaternion_y,quaternion_z,note\n";
+  const auto error = [&](const std::string& rows) -> std::string {
+    try {
+      File(header + rows).rotations();
+    } catch (const std::invalid_argument& refused) {
+      return std::string(refused.what()).substr(std::string(refused.what()).find("line"));
+    }
+    return "";
+  };
+  CHECK(error("1,0,0,0,\"two\nlines\"\n2,0,0,0,\n") ==
+        "line 4: from_quaternion: expected a unit quaternion (norm 1 within 1e-06), got (2.0, 0.0, "
+        "0.0, 0.0) of norm 2.0; :unit() normalises one");
+  CHECK(error("nan,0,0,0,\n").starts_with("line 2: from_quaternion: expected finite numbers"));
+  CHECK(error("1,0,0,0,\n1,x,0,0,\n") == "line 3: 'quaternion_x': expected a number, got \"x\"");
+  CHECK(error("1,0,0,0,\n").empty());
+}
+
+TEST_CASE("List: empty lists, full devices and tables") {
+  Directory here;
+  const auto file = here.path / "list.csv";
+  const RotationColumns standard(RotationColumns::standard());
+  CHECK(write_csv(Rotations{}, standard, file, ""));
+  CHECK(test::content(file) == "angle_rad,axis_x,axis_y,axis_z\n");
+  CHECK(rotations_of(read_csv(file)).empty());
+  CHECK(!write_csv(some_rotations(), standard, "/dev/null", ""));
+  CHECK_THROWS_WITH(write_csv(some_rotations(), standard, "/dev/full", ""),
+                    "/dev/full: No space left on device");
+  CHECK(table(Rotations{{{0, 0, 1}, 7}, {{0, 3, 4}, -0.5}}, standard, 17) ==
+        "i  angle_rad  axis_x  axis_y  axis_z\n"
+        "-  ---------  ------  ------  ------\n"
+        "1        7.0     0.0     0.0     1.0\n"
+        "2       -0.5     0.0     0.6     0.8\n");
+  CHECK(table(Rotations{}, standard, 17).starts_with("i  angle_rad"));
+}
+
+}  // namespace
+}  // namespace rotor
