@@ -10,8 +10,9 @@ local kOwn = {
     .. "The coordinates of a fixed v in the turned axes are R:inverse() * v." },
   { "S * R", "is R first, then S, each about an axis that stays in space; R * S is R first, then S about its axis "
     .. "as R has carried it." },
-  { "Angles", "are radians (30*deg) and any real number: turns count. From products, quaternions and MRP they are in "
-    .. "[0, 2 pi], from matrices, Gibbs and modified Gibbs vectors and R:canonical() in [0, pi]." },
+  { "Angles", "are radians (30*deg) and any real number: turns count. vec(R:euler_angles(\"zyx\"))/deg is in degrees. "
+    .. "From products, quaternions and MRP they are in [0, 2 pi], from matrices, Gibbs and modified Gibbs vectors and "
+    .. "R:canonical() in [0, pi]." },
   { "Quaternions", "are (w, x, y, z), scalar first, Hamilton's product; q and -q are one operator, a turn apart." },
   { "Matrices", "are m[i][j], row i and column j, and multiply columns; the columns of R.matrix are the turned axes." },
   { "Euler angles", "\"zyx\", a, b, c: about z by a, about the new y by b, about the newest x by c (body-fixed, "
@@ -53,16 +54,49 @@ conventions.libraries = {
     { "MRP2Euler321(sigma)", '{rotation.from_mrp(sigma):euler_angles("zyx")}' } },
 }
 
---- The page as a text of 80 columns and at most two screens.
-function conventions.page()
-  local parts = { text.two_columns(kOwn, 12) }
-  for _, library in ipairs(conventions.libraries) do
-    parts[#parts + 1] = library[1]
-    local rows = {}
-    for i = 2, #library do rows[i - 1] = { text.pad(library[i][1], kTheirs), library[i][2] } end
-    parts[#parts + 1] = text.two_columns(rows, kTheirs)
+local function name_of(library) return library[1]:match "^%w+" end
+
+-- The library of this name, in any case; else nil and the names that there are.
+local function find(name)
+  local known = {}
+  for i, library in ipairs(conventions.libraries) do
+    if type(name) == "string" and name_of(library):lower() == name:lower() then return library end
+    known[i] = '"' .. name_of(library) .. '"'
   end
+  return nil, table.concat(known, ", ")
+end
+
+local function part(library)
+  local rows = {}
+  for i = 2, #library do rows[i - 1] = { text.pad(library[i][1], kTheirs), library[i][2] } end
+  return library[1] .. "\n" .. text.two_columns(rows, kTheirs)
+end
+
+--- The page as a text of 80 columns and at most two screens; of one library ("SciPy") its part.
+function conventions.page(name)
+  if name ~= nil then
+    local library, known = find(name)
+    if library then return part(library) end
+    local given = type(name) == "string" and '"' .. name .. '"' or "a " .. type(name)
+    error("conventions: the library is one of " .. known .. ", got " .. given, 3)
+  end
+  local parts = { text.two_columns(kOwn, 12) }
+  for _, library in ipairs(conventions.libraries) do parts[#parts + 1] = part(library) end
   return table.concat(parts, "\n")
+end
+
+--- The lines about libraries as rows, for the search of help.
+function conventions.lines()
+  local rows = {}
+  for _, library in ipairs(conventions.libraries) do
+    local call = ('conventions("%s")'):format(name_of(library))
+    local function add(name, summary)
+      rows[#rows + 1] = { owner = "", name = name, kind = "function", signature = call, summary = summary }
+    end
+    add(name_of(library), library[1])
+    for i = 2, #library do add(library[i][1], library[i][1] .. " is " .. library[i][2]) end
+  end
+  return rows
 end
 
 return conventions

@@ -2,12 +2,14 @@
 local entries = require "rotor.entries"
 local manual = require "rotor.manual"
 local names = require "rotor.names"
+local search = require "rotor.search"
 local text = require "rotor.text"
-local words = require "rotor.words"
 
 local help = {}
 
-local kMentions = 12  -- as many rows as a search shows
+local kMentions = 6  -- as many rows as a search shows
+local kRelated = 6  -- as many names under "See also"
+local kBrief = 96  -- characters of a summary in a list
 
 --- The order in which the overview and the reference show the global names; what is not here comes under "Other".
 help.topics = {
@@ -20,6 +22,9 @@ help.topics = {
   { "Testing", "theorem near holds fails" },
   { "Terminal", "help conventions precision draw_sphere" },
 }
+
+-- What the type rotation has that the topics do not show and many come for.
+local kOfRotation = "from_euler_angles euler_angles angles_about from_mrp spline table"
 
 --- The topics with those of their names that there are: { { title, { row, ... } }, ... }.
 function help.by_topic()
@@ -42,17 +47,11 @@ end
 --- How a name is used: its signature with its owner before it and its result after it.
 function help.usage(row)
   local usage = row.signature or row.name
-  if row.owner ~= "" and row.kind ~= "operator" and not usage:find "^[%a_][%w_]*[.:][%a_]" then
+  if row.owner ~= "" and row.kind ~= "operator" and not usage:find "^[%a_][%w_]*[.:%[][%a_]" then
     usage = row.owner .. (row.kind == "method" and ":" or ".") .. usage
   end
   if row.result and row.result ~= "nil" and not usage:find("->", 1, true) then usage = usage .. " -> " .. row.result end
   return usage
-end
-
--- The name to ask for: "slerp", "rotation:inverse", "run.cost".
-local function full_name(row)
-  if row.owner == "" or row.kind == "operator" then return row.name end
-  return row.owner .. (row.kind == "method" and ":" or ".") .. row.name
 end
 
 local function in_full(row)
@@ -67,21 +66,28 @@ local function in_full(row)
   return table.concat(parts, "\n")
 end
 
+-- The first sentence of a summary, or as much of it as a list has room for.
+local function brief(summary)
+  local sentence = summary:match "^(.-[^.%s]%.)%s+%a" or summary
+  if text.width(sentence) <= kBrief then return sentence end
+  return sentence:sub(1, kBrief):match "^(.-)[,;:]?%s%S*$" .. " ..."
+end
+
 -- Usage and first sentence, a row a line. Under a type's heading its name goes without saying: ".axis -> vec".
 local function in_short(rows, under_type)
   local cells = {}
   for i, row in ipairs(rows) do
-    local usage, summary = help.usage(row), row.summary or ""
+    local usage = help.usage(row)
     if under_type and row.kind ~= "operator" then usage = usage:gsub("^[%a_][%w_]*([.:])", "%1") end
-    cells[i] = { usage, summary:match "^(.-[^.]%.)%s+%u" or summary }
+    cells[i] = { usage, brief(row.summary or "") }
   end
-  return text.two_columns(cells, 36)
+  return text.two_columns(cells, 30)
 end
 
 -- What a type's values can do, and where they come from.
 local function about_type(name)
   local makers = names.select(function(row) return row.result == name and row.owner ~= name and row.kind ~= "field" end)
-  for i, row in ipairs(makers) do makers[i] = full_name(row) end
+  for i, row in ipairs(makers) do makers[i] = names.full_name(row) end
   local parts = { "Type " .. name .. (makers[1] and ", made by " .. table.concat(makers, ", ") or "") }
   parts[1] = text.wrap(parts[1], "", "    ")
   for _, group in ipairs { { "Fields", "field" }, { "Methods", "method" }, { "Operators", "operator" },
@@ -101,17 +107,27 @@ local function about_rows(rows)
   return table.concat(parts, "\n\n")
 end
 
+-- "See also" and names that have to do with the word: the given rows, then more that are not shown. Or nil.
+local function see_also(word, rows, shown)
+  local list, seen = {}, {}
+  for _, row in ipairs(shown) do seen[row] = true end
+  for _, more in ipairs { rows, search.related(word) } do
+    for _, row in ipairs(more) do
+      if not seen[row] and row.owner ~= word and #list < kRelated then list[#list + 1] = names.full_name(row) end
+      seen[row] = true
+    end
+  end
+  return list[1] and text.wrap("See also " .. table.concat(list, ", "), "", "    ")
+end
+
 -- The rows for a name without an owner; a global one first.
 local function about_word(word)
   local row, named = names.find("", word), names.select(function(r) return r.name == word and r.owner ~= "" end)
   local listing = (names.is_type(word) or names.members(word)[1]) and about_type(word)
-  if not (row or listing) then return named[1] and about_rows(named) end
-  local parts = { row and in_full(row), listing or nil }
-  if not row then parts = { listing } end
-  if #named > 0 then
-    for i, r in ipairs(named) do named[i] = full_name(r) end
-    parts[#parts + 1] = text.wrap("See also " .. table.concat(named, ", "), "", "    ")
-  end
+  if not (row or listing or named[1]) then return nil end
+  local parts = { row and in_full(row) or listing or about_rows(named) }
+  if row then parts[2] = listing or nil end
+  parts[#parts + 1] = see_also(word, named, row and { row } or listing and {} or named)
   return table.concat(parts, "\n\n")
 end
 
@@ -159,20 +175,26 @@ end
 
 -- A name --------------------------------------------------------------------------------------------------------------
 
--- "R:inverse", "run.cost.steps", "rotation.from_mrp": along values and result types, nil where it leads nowhere.
+-- The thing at the end of a path from a thing: ".cost.steps" along values and result types; or nil.
+local function follow(thing, path)
+  for key in path:gmatch "[^.:]+" do
+    thing = thing and names.member(thing, key)
+  end
+  return thing
+end
+
+-- "R:inverse", "run.cost.steps", "rotation.from_mrp", "C:rates": nil where it leads nowhere.
 local function about_path(path)
-  local first, rest = path:match "^([%a_][%w_]*)([.:].+)$"
+  local first, rest = path:match "^([%a_][%w_]*)([.:%[].+)$"
   if not first then return nil end
   local row = names.find(first, rest:sub(2))
   if row then return in_full(row) end
-  local thing = names.global(first)
-  if not thing or thing.type == "function" then thing = { type = first } end
-  for key in rest:gmatch "[^.:]+" do
-    thing = thing and names.member(thing, key)
-  end
+  local own, kind = names.global(first), names.stands_for(first)
+  local thing = follow(own and own.type ~= "function" and own or { type = first }, rest)
+  thing = thing or kind and follow({ type = kind }, rest)
   if thing then return thing.row and in_full(thing.row) or thing.value ~= nil and about_value(thing.value) end
   local last = rest:match "([%a_][%w_]*)$"
-  local known = names.is_type(first) or names.global(first)
+  local known = names.is_type(first) or own or kind
   return not known and last and about_word(last) or nil
 end
 
@@ -189,52 +211,48 @@ end
 local function about_missing_member(path)
   local owner, key = path:match "^([%a_][%w_]*)[.:]([%a_][%w_]*)$"
   local thing = owner and names.global(owner)
-  local kind = thing and names.is_type(thing.type) and thing.type or owner
+  local kind = thing and names.is_type(thing.type) and thing.type
+    or owner and not thing and names.stands_for(owner) or owner
   if not owner or not names.is_type(kind) then return nil end
   local all = names.members(kind)
   for i, row in ipairs(all) do all[i] = row.name end
   local guess = names.suggest(key, all)
-  return ('A %s has no %s. %s help "%s" lists what it has.'):format(kind, key,
-    guess and "Did you mean " .. guess .. "?" or "", kind):gsub("  +", " ")
-end
-
--- In a search euler_vector, "Euler-vector" and "Euler vector" are the same.
-local function searchable(s)
-  return (s:lower():gsub("[%s_-]+%f[%w]", " "))
-end
-
-local function mentions(word)
-  return names.select(function(row)
-    local name = full_name(row)
-    local where = table.concat({ name, row.signature or "", row.summary or "", words[name] or "" }, "\n")
-    return searchable(where):find(searchable(word), 1, true) ~= nil
-  end)
+  return text.wrap(('A %s has no %s. %s help "%s" lists what it has.'):format(kind, key,
+    guess and "Did you mean " .. guess .. "?" or "", kind), "")
 end
 
 local function about_unknown(word)
-  local all = {}
-  for i, row in ipairs(entries) do all[i] = word:find "[.:]" and full_name(row) or row.name end
-  local guess = names.suggest(word, all)
-  if guess and word:find "[.:]" and not guess:find "[.:]" then guess = nil end
-  local answer = "There is no name " .. word .. "." .. (guess and " Did you mean " .. guess .. "?" or "")
-  local found = mentions(word)
-  if #found > 0 then
+  local found, in_part = search.rows(word)
+  if found[1] then
+    local answer = in_part and "Nothing has all of " .. word .. ". Nearest:" or word .. " is found in"
     local shown = table.move(found, 1, math.min(#found, kMentions), 1, {})
-    answer = answer .. " See\n" .. in_short(shown)
+    answer = text.wrap(answer, "") .. "\n" .. in_short(shown)
     return answer .. (#found > kMentions and ("\n  and %d more"):format(#found - kMentions) or "")
   end
-  if not guess then answer = answer .. ' help() lists the names; help "word" looks for a word in all of them.' end
-  return text.wrap(answer, "")
+  local all = {}
+  for i, row in ipairs(entries) do all[i] = word:find "[.:]" and names.full_name(row) or row.name end
+  local guess = names.suggest(word, all)
+  if guess and word:find "[.:]" and not guess:find "[.:]" then guess = nil end
+  return text.wrap("There is no name " .. word .. "." .. (guess and " Did you mean " .. guess .. "?"
+    or ' help() lists the names; help "word" looks for a word in all of them.'), "")
 end
 
-local function about_name(name)
-  name = name:match "^%s*(.-)%s*$":gsub("%(%)$", "")
-  local answer = about_own_and_word(name) or about_path(name) or about_operator(name)
+-- What is known of a name as it is given, or nil.
+local function about_known(name)
+  local answer = about_own_and_word(name) or about_path(name) or about_operator(name) or manual.about(name)
   if answer then return answer end
   local value = name:find "^[%a_][%w_]*$" and rawget(_G, name)
-  local of_lua = manual.about(name)
-  if of_lua then return of_lua end
   if value ~= nil and value ~= false then return about_value(value) end
+  local kind = names.stands_for(name)
+  return kind and about_type(kind)
+end
+
+-- The name may be spelled as help prints it: "C:rates(omega) -> table".
+local function about_name(name)
+  name = name:match "^%s*(.-)%s*$"
+  local bare = name:gsub("%s*%->.*$", "")
+  local answer = about_known(name) or about_known(bare) or about_known((bare:gsub("%b()$", ""):gsub("%b{}$", "")))
+  if answer then return answer end
   if name == "quit" or name == "exit" then return "Ctrl-D ends the terminal, os.exit() a script." end
   return about_missing_member(name) or about_unknown(name)
 end
@@ -254,8 +272,7 @@ help "slerp"   of a type: help "run"   help "R:inverse"   help(R)   help "word"
 At the prompt also ?slerp. help "conventions": other libraries' and rotor's.
 Angles are in radians (30*deg), quaternions (w, x, y, z), rotations active;
 omega is given in the space frame and depends on t alone.
-Unlike lua5.4: an error on piped input ends with status 1, and os.setlocale
-never changes numbers.]]
+Unlike lua5.4: status 1 after an error on piped input; numbers know no locale.]]
 
 --- The overview: what to type first, the names by topic, the conventions. It fits a screen of 80 x 24.
 function help.overview()
@@ -265,6 +282,9 @@ function help.overview()
     for k, row in ipairs(topic[2]) do list[k] = row.name end
     rows[i] = { topic[1], table.concat(list, " ") }
   end
+  local list = {}
+  for name in kOfRotation:gmatch "%S+" do list[#list + 1] = names.find("rotation", name) and name end
+  table.insert(rows, 2, { "?rotation", table.concat(list, " ") })
   local types = names.types()
   rows[#rows + 1] = { "Types", table.concat(types, " ") }
   return kFirst .. "\n" .. text.two_columns(rows, 12) .. "\n\n" .. kLast

@@ -11,6 +11,12 @@ function names.find(owner, name)
   end
 end
 
+--- The name to ask for: "slerp", "rotation:inverse", "run.cost".
+function names.full_name(row)
+  if row.owner == "" or row.kind == "operator" then return row.name end
+  return row.owner .. (row.kind == "method" and ":" or ".") .. row.name
+end
+
 --- All rows that `accept`s, in the order of the registry.
 function names.select(accept)
   local rows = {}
@@ -28,6 +34,18 @@ end
 --- Whether values of this type exist: something other than a library's function belongs to it.
 function names.is_type(name)
   return name ~= "" and names.select(function(row) return row.owner == name and row.kind ~= "function" end)[1] ~= nil
+end
+
+--- The type for whose values this name stands in signatures, as R in R:inverse() and S in R == S; or nil.
+function names.stands_for(name)
+  for _, row in ipairs(entries) do
+    if row.kind == "field" or row.kind == "method" then
+      if (row.signature or ""):match "^([%a_][%w_]*)[.:%[]" == name then return row.owner end
+    elseif row.kind == "operator" then
+      local left, right = row.name:match "^(%w+) == (%w+)$"
+      if left == name or right == name then return row.owner end
+    end
+  end
 end
 
 --- Whether this is a global that holds functions or values, as rotation.from_matrix; it may be a function itself.
@@ -172,9 +190,22 @@ local function edits(a, b)
   return row[#b]
 end
 
---- The candidate that `word` was most likely meant to be, or nil: at most one slip in three letters, case ignored.
+-- The first by the alphabet of the candidates that begin with the word, else of those that contain it.
+local function extension(word, candidates)
+  local best, least
+  for _, candidate in ipairs(candidates) do
+    local at = #candidate > #word and candidate:lower():find(word:lower(), 1, true)
+    local rank = at == 1 and #word >= 3 and 1 or at and #word >= 4 and 2
+    if rank and (not best or rank < least or rank == least and candidate < best) then best, least = candidate, rank end
+  end
+  return best
+end
+
+--- The candidate that `word` was most likely meant to be, or nil; case is ignored. One that goes on from three letters
+--- or has four inside comes first, else at most one slip in three letters is forgiven.
 function names.suggest(word, candidates)
-  local best, least = nil, (#word + 1) // 3
+  local best, least = extension(word, candidates), (#word + 1) // 3
+  if best then return best end
   for _, candidate in ipairs(candidates) do
     if candidate ~= word and math.abs(#candidate - #word) <= least then
       local count = edits(word:lower(), candidate:lower())

@@ -7,13 +7,13 @@ local function testing(name)
   return function(...) return require "rotor.testing"[name](...) end
 end
 
-local function conventions() return require("rotor.conventions").page() end
+local function conventions() return require "rotor.conventions" end
 
 return {
   { owner = "", name = "help", kind = "function", result = "nil", value = help,
     signature = "help(name or value)",
     summary = 'Prints what is known about a name (help "slerp", help "run:csv") or a value (help(R)); help() alone '
-      .. "gives an overview. A word that is no name is looked for in all names and summaries.",
+      .. "gives an overview. Words that are no name are looked for in names, summaries and conventions().",
     example = 'help "rotation"' },
   { owner = "", name = "theorem", kind = "function", result = "nil", value = testing("theorem"),
     signature = "theorem(name, f)",
@@ -38,17 +38,20 @@ return {
     summary = "Checks that f() raises an error, whose message has the Lua pattern in it if one is given. "
       .. "Outside a theorem, an f that does not fail raises an error.",
     example = 'fails(function() return 1 + {} end, "no sum with a table", "arithmetic")' },
-  { owner = "", name = "conventions", kind = "function", result = "nil", page = conventions,
-    value = function() print(conventions()) end,
-    signature = "conventions()",
+  { owner = "", name = "conventions", kind = "function", result = "nil",
+    page = function() return conventions().page() end,
+    value = function(library) print(conventions().page(library)) end,
+    lines = function() return conventions().lines() end,
+    signature = "conventions(library)",
     summary = "Prints the conventions: active or passive, frames, order of composition and of components, ranges of "
-      .. "angles; and what SciPy, Eigen, MATLAB, ROS and Basilisk call what rotor does.",
-    example = "conventions()" },
+      .. 'angles; and what SciPy, Eigen, MATLAB, ROS and Basilisk call what rotor does; of one library ("SciPy") that '
+      .. "alone.",
+    example = 'conventions("Eigen")' },
   { owner = "", name = "draw_sphere", kind = "function", result = "nil",
     value = function(options) return require("rotor.sphere").draw(options) end,
     signature = "draw_sphere{points=, arcs=, from=, width=}",
     summary = "Draws the unit sphere in characters, with points {p = vec, ...} under their names and arcs "
       .. "{{a, b}, ...} of great circles, each the shorter way between two points (names or vectors), seen from the "
-      .. "direction `from`, in 20 to 80 columns (default 60).",
+      .. "direction `from`, in 20 to 80 columns (default 40).",
     example = 'draw_sphere{points = {x = {1, 0, 0}, y = {0, 1, 0}}, arcs = {{"x", "y"}}, width = 30} --> ' },
 }

@@ -12,7 +12,7 @@ local sphere = {}
 
 local kOptions = { "points", "arcs", "from", "width" }
 local kFrom = { 3, 2, 1.5 }
-local kWidth, kLeast, kMost = 60, 20, 80
+local kWidth, kLeast, kMost = 40, 20, 80
 local kHalfCircle = 1e-15  -- an arc as near to pi as this has no direction but that of rounding
 local kMarks = { outline = ":", front = "*", behind = ".", point = "o", point_behind = "+" }
 
@@ -45,6 +45,7 @@ local function points_of(given)
   local points, order = {}, {}
   for name, v in pairs(table_of(given, "points", "a table {name = vec, ...}")) do
     if type(name) ~= "string" then refuse("points: expected {name = vec, ...}, got the key %s", described(name)) end
+    if name:find "%c" then refuse("points: a name has no control characters, got %q", name) end
     points[name] = direction(v, "points." .. name)
     order[#order + 1] = name
   end
@@ -111,19 +112,47 @@ local function canvas(width)
   return rows, place
 end
 
--- Writes a name beside its point, a space between: to the right, but to the left where more room is free.
-local function write(row, column, name)
-  local function room(first)
-    local free = 0
-    for i = first, first + #name do free = free + (row[i] == " " and 1 or 0) end
-    return free
+-- The names of the points in each cell: { { row =, column =, name =, mark = }, ... }; what is in front gives the mark.
+local function marks_of(scene, at)
+  local marks, by_cell = {}, {}
+  for _, name in ipairs(scene.order) do
+    local v = scene.points[name]
+    local row, column = at(v)
+    local cell = row .. " " .. column
+    local behind = dot(v, scene.from) < 0
+    local mark = by_cell[cell]
+    if mark then
+      mark.name, mark.behind = mark.name .. "," .. name, mark.behind and behind
+    else
+      by_cell[cell] = { row = row, column = column, name = name, behind = behind }
+      marks[#marks + 1] = by_cell[cell]
+    end
   end
-  local right, left = column + 1, column - 1 - #name
-  local cells = room(left) > room(right) and name .. " " or " " .. name
-  local first = room(left) > room(right) and left or right
-  for i = 1, #cells do
-    if row[first + i - 1] then row[first + i - 1] = cells:sub(i, i) end
+  return marks
+end
+
+-- Writes a name beside its point, a space between, to the right or to the left, where it covers less. It may stand
+-- outside the picture on the right. Returns whether there was a place: none is on other points and their names, which
+-- `taken` has by their columns.
+local function write(row, taken, mark)
+  local length = utf8.len(mark.name) or #mark.name
+  local function cost(first)
+    local covered = 0
+    if first < 1 or first + length - 1 > kMost then return math.huge end
+    for i = first - 1, first + length do
+      if taken[i] and i ~= mark.column then return math.huge end
+      if row[i] and row[i] ~= " " then covered = covered + 1 end
+    end
+    return covered
   end
+  local right, left = mark.column + 2, mark.column - 1 - length
+  local first = cost(left) < cost(right) and left or right
+  if cost(first) == math.huge then return false end
+  for i = #row + 1, first + length - 1 do row[i] = " " end
+  row[first == right and mark.column + 1 or mark.column - 1] = " "
+  for i = first, first + length - 1 do row[i], taken[i] = "", true end
+  row[first] = mark.name
+  return true
 end
 
 local function drawn(scene)
@@ -154,17 +183,24 @@ local function drawn(scene)
       end
     end
   end
-  for _, name in ipairs(scene.order) do
-    local v = scene.points[name]
-    local row, column = at(v)
-    write(rows[row], column, name)
-    rows[row][column] = dot(v, from) < 0 and kMarks.point_behind or kMarks.point
+  local marks, unnamed = marks_of(scene, at), {}
+  local taken = {}
+  for _, mark in ipairs(marks) do
+    rows[mark.row][mark.column] = mark.behind and kMarks.point_behind or kMarks.point
+    taken[mark.row] = taken[mark.row] or {}
+    taken[mark.row][mark.column] = true
+  end
+  for _, mark in ipairs(marks) do
+    if not write(rows[mark.row], taken[mark.row], mark) then
+      unnamed[#unnamed + 1] = ("%s at line %d, column %d"):format(mark.name, mark.row, mark.column)
+    end
   end
   local lines = {}
   for i, row in ipairs(rows) do lines[i] = table.concat(row):gsub("%s+$", "") end
-  lines[#lines + 1] = ("seen from (%.2f, %.2f, %.2f)"):format(from.x, from.y, from.z)
+  lines[#lines + 1] = ("seen from (%.2f, %.2f, %.2f)"):format(from.x + 0.0, from.y + 0.0, from.z + 0.0)
   lines[#lines + 1] = ("in front %s %s   behind %s %s"):format(kMarks.front, kMarks.point, kMarks.behind,
     kMarks.point_behind)
+  for _, where in ipairs(unnamed) do lines[#lines + 1] = where end
   return table.concat(lines, "\n")
 end
 

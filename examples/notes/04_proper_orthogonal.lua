@@ -13,10 +13,9 @@ end
 
 local R = rotation({ 1, 2, 3 }, 1)
 local Q = R.matrix
-print "The matrix of a rotation, one that is stretched, and a reflection:\n"
-for _, m in ipairs { Q, 1.25*Q, -Q } do
-  local proper, measured = proper_orthogonal(m)
-  print(proper, measured)
+for _, case in ipairs { { "A rotation", Q }, { "Stretched", 1.25*Q }, { "A reflection", -Q } } do
+  local proper, measured = proper_orthogonal(case[2])
+  print(("%s: %s,\n  %s"):format(case[1], proper, measured))
 end
 print ""
 

@@ -77,11 +77,14 @@ end)
 theorem("Davenport: u2 perpendicular to both is enough, whatever the angle of u1 and u3", function()
   local count, worst = 0, 0
   for i, R in ipairs(rotations) do
-    local u2 = R.axis
-    local u1, u3 = cross(u2, rotations[i % n + 1].axis), cross(u2, rotations[(i + 1) % n + 1].axis)
+    local function axis(k) return rotations[(i + k) % n + 1].axis end
+    local u2 = axis(2)
+    local u1, u3 = cross(u2, axis(0)), cross(u2, axis(1))
     local again = chain { axes = { u1, u2, u3 }, angles = R:angles_about(u1, u2, u3)[1] }.rotation
     count, worst = count + 1, math.max(worst, R:distance(again))
   end
   near(n, count, 0, "of 10,000 with random axes")
+  local tilted = reached(x + 0.1*y, y, z)
+  holds(tilted < n, "not all of them when u1 is tilted to u2, by 0.1")
   near(0, worst, 4e-15, "the angles make the rotation again")
 end)

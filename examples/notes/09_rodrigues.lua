@@ -12,7 +12,8 @@ local R, S = rotation(p, theta), rotation(q, phi)
 local triangle = spherical_triangle(R, S)
 print(triangle)
 print ""
-triangle:plot { width = 50 }
+triangle:plot()
+print ""
 
 -- A product is rounded to 4.5e-16 in its angle and 1e-16 in its axis; that, of two, and the rounding in between.
 local tolerance = 2e-15

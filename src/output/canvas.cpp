@@ -77,12 +77,18 @@ class Grid {
         single_(series == 1),
         cells_(static_cast<std::size_t>(across.columns * up.rows)) {}
 
-  /// The pieces between gaps.
-  void draw(std::span<const double> x, std::span<const double> y, unsigned index) {
+  /// The pieces between gaps and jumps.
+  void draw(std::span<const double> x, const Series& series, unsigned index) {
+    const std::vector<double>& y = series.y;
     std::vector<GridPoint> piece;
     const bool backwards = x.front() > x.back();
     for (std::size_t k = 0; k < x.size(); ++k) {
       const std::size_t i = backwards ? x.size() - 1 - k : k;
+      const std::size_t before = backwards ? i + 1 : i - 1;
+      if (!piece.empty() && std::abs(y[i] - y[before]) > series.jump) {
+        draw_piece(piece, index);
+        piece.clear();
+      }
       if (std::isfinite(y[i])) {
         piece.push_back({across_.across(x[i]), up_.up(y[i]) * thirds()});
       } else {
@@ -206,8 +212,7 @@ std::string plot(std::span<const double> x, std::span<const Series> series,
   const auto [low, high] = std::minmax(x.front(), x.back());
   const HorizontalScale across{drawable(low, high), columns};
   Grid grid(across, up, series.size());
-  for (std::size_t i = 0; i < series.size(); ++i)
-    grid.draw(x, series[i].y, static_cast<unsigned>(i));
+  for (std::size_t i = 0; i < series.size(); ++i) grid.draw(x, series[i], static_cast<unsigned>(i));
 
   const BottomAxis axis = bottom_axis(across, margin);
   Page page(static_cast<std::size_t>(options.width));

@@ -1,6 +1,7 @@
 // Pictures of time series in plain ASCII.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@ namespace rotor {
 struct Series {
   std::string name;
   std::vector<double> y;  // one value for each x; nan and infinities are gaps
+  // Neighbours further apart are not joined.
+  double jump = std::numeric_limits<double>::infinity();
 };
 
 struct PlotOptions {

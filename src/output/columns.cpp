@@ -1,15 +1,20 @@
 #include "output/columns.hpp"
 
+#include <string_view>
 #include <utility>
 
 namespace rotor {
-namespace {
 
-std::string listed(const std::vector<std::string>& names) {
+std::string listed(const std::vector<std::string>& names, const std::string& quote) {
   std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  for (const std::string& name : names)
+    list.append(list.empty() ? "" : ", ").append(quote).append(name).append(quote);
   return list;
 }
+
+namespace {
+
+bool is_t(const Quantity& quantity) { return quantity.name == std::string_view("t"); }
 
 // Appends the value of each part; `values` computes all components of a quantity.
 template <class Parts, class Compute>
@@ -44,7 +49,7 @@ Columns::Columns(std::span<const std::string> names, bool (*is_known)(const Quan
       for (std::size_t c = 0; c < parts.size(); ++c) {
         const std::string header = parts[c] + quantity.unit;
         if (name != quantity.name && name != parts[c] && name != header) continue;
-        columns_.push_back({parts[c], header, quantity.meaning});
+        columns_.push_back({parts[c], header, quantity.meaning_of(c), quantity.is_euler()});
         parts_.push_back({&quantity, c});
       }
     }
@@ -74,11 +79,15 @@ std::span<const std::string> StateColumns::standard() {
   return names;
 }
 
-RotationColumns::RotationColumns(std::span<const std::string> names)
-    : Columns(names, [](const Quantity& quantity) { return quantity.of_rotation != nullptr; }) {}
+RotationColumns::RotationColumns(std::span<const std::string> names, bool timed)
+    : Columns(
+          names, timed ? [](const Quantity& q) { return q.of_rotation != nullptr || is_t(q); }
+                       : [](const Quantity& q) { return q.of_rotation != nullptr; }) {}
 
-void RotationColumns::values(const Rotation& r, std::vector<double>& out) const {
-  append(parts_, out, [&](const Quantity& quantity) { return quantity.of_rotation(r); });
+void RotationColumns::values(const Rotation& r, double t, std::vector<double>& out) const {
+  append(parts_, out, [&](const Quantity& quantity) {
+    return is_t(quantity) ? Quantity::Values{t} : quantity.of_rotation(r);
+  });
 }
 
 std::span<const std::string> RotationColumns::standard() {

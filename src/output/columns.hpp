@@ -10,6 +10,9 @@
 
 namespace rotor {
 
+/// "a, b", each between quotes if there are any.
+std::string listed(const std::vector<std::string>& names, const std::string& quote = "");
+
 /// A name that is not there, and those that may be meant, for a hint.
 struct UnknownName : std::invalid_argument {
   /// "unknown column 'axes'; there are t, angle, ...": `kind`, `name`, `known`, then `more`.
@@ -28,6 +31,7 @@ struct Column {
   std::string name;    // as scripts call it: angle, axis_x
   std::string header;  // with its unit: angle_rad, axis_x
   std::string meaning;
+  bool wraps;  // at -pi and pi
 };
 
 /// A choice of columns. Names are of a quantity ("axis": all its components) or of one component
@@ -60,12 +64,13 @@ class StateColumns : public Columns {
   static std::span<const std::string> standard();
 };
 
-/// Columns of rotations that are in no run: without t, omega and the rates.
+/// Columns of rotations that are in no run: without omega and the rates, and without t unless they
+/// are `timed`.
 class RotationColumns : public Columns {
  public:
-  explicit RotationColumns(std::span<const std::string> names);
-  /// Appends one value a column.
-  void values(const Rotation& r, std::vector<double>& out) const;
+  explicit RotationColumns(std::span<const std::string> names, bool timed = false);
+  /// Appends one value a column; t is the time `t`.
+  void values(const Rotation& r, double t, std::vector<double>& out) const;
   /// angle, axis.
   static std::span<const std::string> standard();
 };

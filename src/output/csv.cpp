@@ -14,9 +14,10 @@ constexpr std::size_t kFlushed = std::size_t{1} << 16;
 // The longest shortest form is that of -2.2250738585072014e-308: 24 characters.
 constexpr std::size_t kNumber = 32;
 
-/// An empty word is quoted, too: alone in its row it would be an empty line.
+/// An empty word is quoted, too: alone in its row it would be an empty line; and what may be taken
+/// for a separator.
 std::string field(const std::string& word) {
-  if (!word.empty() && word.find_first_of(",\"\r\n") == std::string::npos) return word;
+  if (!word.empty() && word.find_first_of(",;\t\"\r\n") == std::string::npos) return word;
   std::string quoted = "\"";
   for (char c : word) quoted.append(c == '"' ? 2 : 1, c);
   return quoted + '"';

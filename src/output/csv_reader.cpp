@@ -92,8 +92,12 @@ std::errc read_number(std::string_view field, double& x) {
 /// out.
 class Fields {
  public:
-  Fields(std::string& content, const std::string& file)
-      : file_(file), start_(content.data()), at_(start_), end_(start_ + content.size()) {
+  Fields(std::string& content, const std::string& file, char separator)
+      : file_(file),
+        separator_(separator),
+        start_(content.data()),
+        at_(start_),
+        end_(start_ + content.size()) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (content.starts_with(kByteOrderMark)) at_ += kByteOrderMark.size();
     while (end_ > at_ && (end_[-1] == '\n' || end_[-1] == '\r')) --end_;
@@ -101,6 +105,7 @@ class Fields {
   }
 
   bool is_done() const { return is_done_; }
+  bool is_quoted() const { return at_ < end_ && *at_ == '"'; }
   std::size_t line() const { return line_; }
   double part() const {
     return static_cast<double>(at_ - start_) / static_cast<double>(end_ - start_);
@@ -109,7 +114,7 @@ class Fields {
   /// Appends those of the next row.
   void row(std::vector<std::string_view>& fields) {
     for (;;) {
-      fields.push_back(at_ < end_ && *at_ == '"' ? quoted() : plain());
+      fields.push_back(is_quoted() ? quoted() : plain());
       is_done_ = at_ == end_;
       if (is_done_) return;
       if (*at_++ == '\n') {
@@ -122,9 +127,12 @@ class Fields {
  private:
   std::string_view plain() {
     char* const first = at_;
-    at_ = std::find_if(at_, end_, [](char c) { return c == ',' || c == '\n'; });
+    at_ = std::find_if(at_, end_, [&](char c) { return c == separator_ || c == '\n'; });
     const bool is_crlf = at_ < end_ && *at_ == '\n' && at_ > first && at_[-1] == '\r';
-    return {first, static_cast<std::size_t>(at_ - first) - (is_crlf ? 1 : 0)};
+    const std::string_view field(first, static_cast<std::size_t>(at_ - first) - (is_crlf ? 1 : 0));
+    if (field.find('\r') != field.npos)
+      refuse_line(file_, line_, "expected lines that end in LF or CRLF, got a CR alone");
+    return field;
   }
 
   std::string_view quoted() {
@@ -137,18 +145,29 @@ class Fields {
       if (*at_ == '"' && (++at_ == end_ || *at_ != '"')) break;
     }
     if (end_ - at_ >= 2 && at_[0] == '\r' && at_[1] == '\n') ++at_;
-    if (at_ < end_ && *at_ != ',' && *at_ != '\n')
+    if (at_ < end_ && *at_ != separator_ && *at_ != '\n')
       refuse_line(file_, line_, "text after a closing quote");
     return {first, static_cast<std::size_t>(to - first)};
   }
 
   const std::string& file_;
+  char separator_;
   char* start_;
   char* at_;
   char* end_;
   bool is_done_;
   std::size_t line_ = 1;
 };
+
+// A header of one name that another separator would split.
+void refuse_separator(const CsvTable& table, std::string_view header) {
+  const auto found = header.find_first_of(",;\t");
+  if (found == header.npos) return;
+  const std::string separator = header[found] == '\t' ? "\\t" : std::string(1, header[found]);
+  refuse_line(table.file, 1,
+              "one column, '" + std::string(header) + "': separated by '" + separator +
+                  "'? give separator = \"" + separator + "\"");
+}
 
 void read_header(CsvTable& table, const std::vector<std::string_view>& names) {
   double x = 0;
@@ -230,14 +249,18 @@ void CsvTable::refuse(std::size_t row, const std::string& message) const {
   refuse_line(file, lines[row], message);
 }
 
-CsvTable read_csv(const std::filesystem::path& file, const Observer& observer) {
+CsvTable read_csv(const std::filesystem::path& file, const Observer& observer, char separator) {
+  if (std::string_view("\"\r\n").find(separator) != std::string_view::npos)
+    throw std::invalid_argument("separator: expected no quote and no line end");
   CsvTable table{file.string(), {}, {}};
   std::string content = content_of(table.file, observer);
-  Fields fields(content, table.file);
+  Fields fields(content, table.file, separator);
   if (fields.is_done())
     throw std::invalid_argument(table.file + ": expected a header row of names, got an empty file");
   std::vector<std::string_view> cells;
+  const bool is_quoted = fields.is_quoted();
   fields.row(cells);
+  if (cells.size() == 1 && !is_quoted) refuse_separator(table, cells[0]);
   read_header(table, cells);
   const std::size_t width = cells.size();
   cells.clear();

@@ -40,6 +40,23 @@ const CsvColumn* find(const CsvTable& table, const Column& column) {
   return there == table.columns.end() ? nullptr : &*there;
 }
 
+std::vector<std::string> names_of(const CsvTable& table) {
+  std::vector<std::string> names;
+  for (const CsvColumn& column : table.columns) names.push_back(column.name);
+  return names;
+}
+
+// An example: the columns of the file where there are four but for the time.
+std::vector<std::string> quaternion_names(const CsvTable& table) {
+  std::vector<std::string> names = names_of(table);
+  std::erase_if(names, [](const std::string& name) { return name == "t" || name == "time"; });
+  if (names.size() != 4) return {"q0", "q1", "q2", "q3"};
+  std::stable_partition(names.begin(), names.end(), [](const std::string& name) {
+    return name.ends_with('w') || name.ends_with('W');
+  });
+  return names;
+}
+
 Face face_of(const CsvTable& table, const std::string& name) {
   for (const Face& face : faces()) {
     if (name.empty() ? std::all_of(face.columns.begin(), face.columns.end(),
@@ -48,12 +65,12 @@ Face face_of(const CsvTable& table, const std::string& name) {
       return face;
   }
   if (!name.empty()) throw UnknownName("face", name, face_names());
-  std::string there;
-  for (const CsvColumn& column : table.columns) there += (there.empty() ? "" : ", ") + column.name;
   throw std::invalid_argument(table.file +
                               ": expected all columns of a face, as quaternion_w, quaternion_x, "
                               "quaternion_y, quaternion_z; there are " +
-                              there);
+                              listed(names_of(table)) + "; name them, the scalar first: " +
+                              "{face = \"quaternion\", columns = {" +
+                              listed(quaternion_names(table), "\"") + "}}");
 }
 
 using Sources = std::vector<const std::vector<double>*>;
@@ -72,23 +89,38 @@ Sources sources_of(const CsvTable& table, const Face& face, std::span<const std:
   return sources;
 }
 
+// Calls `take` with the values of each rotation.
+template <class Take>
+void visit(std::span<const Rotation> rotations, const RotationColumns& columns,
+           std::span<const double> times, Take take) {
+  const auto& list = columns.list();
+  const bool timed = std::any_of(list.begin(), list.end(), [](auto& c) { return c.name == "t"; });
+  if (timed && times.size() != rotations.size())
+    throw std::invalid_argument("times: expected one for each of the " +
+                                std::to_string(rotations.size()) + " rotations, got " +
+                                std::to_string(times.size()));
+  std::vector<double> values;
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    values.clear();
+    columns.values(rotations[i], timed ? times[i] : 0, values);
+    take(values);
+  }
+}
+
 }  // namespace
 
-std::string table(std::span<const Rotation> rotations, const RotationColumns& columns, int digits) {
+std::string table(std::span<const Rotation> rotations, const RotationColumns& columns, int digits,
+                  std::span<const double> times) {
   std::vector<std::vector<double>> rows;
-  for (const Rotation& r : rotations) columns.values(r, rows.emplace_back());
-  return number_table(columns.headers(), rows, digits, true);
+  visit(rotations, columns, times, [&](const auto& values) { rows.push_back(values); });
+  return number_table(columns.headers(), rows, digits, columns.list().front().name != "t");
 }
 
 bool write_csv(std::span<const Rotation> rotations, const RotationColumns& columns,
-               const std::filesystem::path& file, const std::string& scene) {
+               const std::filesystem::path& file, const std::string& scene,
+               std::span<const double> times) {
   CsvWriter writer(file, columns.headers());
-  std::vector<double> values;
-  for (const Rotation& r : rotations) {
-    values.clear();
-    columns.values(r, values);
-    writer.row(values);
-  }
+  visit(rotations, columns, times, [&](const auto& values) { writer.row(values); });
   writer.commit();
   return write_provenance(file, columns, rotations.size(), scene,
                           "active rotations; quaternion scalar first; angles in radians");

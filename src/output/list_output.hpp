@@ -11,14 +11,17 @@
 
 namespace rotor {
 
-/// An aligned table for people: the number i of each rotation, and columns of at most `digits`
-/// significant digits.
-std::string table(std::span<const Rotation> rotations, const RotationColumns& columns, int digits);
+/// An aligned table for people: the number i of each rotation, unless its time t is the first
+/// column, and columns of at most `digits` significant digits. `times`, where t is a column, are as
+/// many as the rotations, else std::invalid_argument is thrown.
+std::string table(std::span<const Rotation> rotations, const RotationColumns& columns, int digits,
+                  std::span<const double> times = {});
 
 /// Writes FILE, a row for each rotation, and FILE.json as write_provenance does (with its answer).
-/// Throws std::system_error if a file cannot be written.
+/// `times` as for table. Throws std::system_error if a file cannot be written.
 bool write_csv(std::span<const Rotation> rotations, const RotationColumns& columns,
-               const std::filesystem::path& file, const std::string& scene);
+               const std::filesystem::path& file, const std::string& scene,
+               std::span<const double> times = {});
 
 /// The faces from which rotations are read, what keeps most of a rotation first: "axis_angle" (the
 /// angle as it is, before the axis), "euler_vector", "quaternion", ...

@@ -25,6 +25,19 @@ std::vector<std::string> Quantity::parts() const {
   return list;
 }
 
+std::string Quantity::meaning_of(std::size_t component) const {
+  const std::string part = parts()[component];
+  const std::string start = std::string(meaning) + ": ";
+  if (part == name) return meaning;
+  if (is_euler()) {
+    const char axis = name[std::string_view("euler_").size() + component];
+    return start + "angle " + part.back() + ", about " + axis + " (angle 3 is 0 where singular)";
+  }
+  const std::string place = part.substr(std::string_view(name).size() + 1);
+  if (place.size() == 2) return start + "row " + place[0] + ", column " + place[1];
+  return start + "component " + place;
+}
+
 namespace {
 
 using Values = Quantity::Values;
@@ -115,7 +128,7 @@ constexpr std::array kQuantities = {
         "shadow_mrp", "xyz", "", "modified Rodrigues parameters of the opposite quaternion",
         [](const auto& r) { return of(shadow_mrp(r)); }, nullptr),
     face(
-        "matrix", "111213212223313233", "", "rotation matrix, row and column",
+        "matrix", "111213212223313233", "", "rotation matrix",
         [](const auto& r) { return of(r.matrix()); }, matrix_to_rotation),
     face(
         "gibbs", "xyz", "", "Gibbs vector G = n tan(theta/2)",
@@ -123,7 +136,7 @@ constexpr std::array kQuantities = {
     face(
         "modified_gibbs", "xyz", "", "modified Gibbs vector M = n sin(theta/2)",
         [](const auto& r) { return of(r.modified_gibbs()); },
-        vector_to_rotation<from_modified_gibbs>),
+        nullptr),  // it does not carry the sign of cos(theta/2)
     euler<'z', 'y', 'x'>(),
     euler<'z', 'x', 'y'>(),
     euler<'y', 'z', 'x'>(),

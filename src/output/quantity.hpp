@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "motion/run.hpp"
@@ -39,6 +40,10 @@ struct Quantity {
 
   /// The names of the components: "angle"; "axis_x", ...; "matrix_11", ...
   std::vector<std::string> parts() const;
+  /// The meaning of one of them: "rotation axis n: component x", ...
+  std::string meaning_of(std::size_t component) const;
+  /// Whether they are Euler angles, the first and the last from -pi to pi.
+  bool is_euler() const { return components == std::string_view("123"); }
 };
 
 /// All of them, of the faces first what keeps most of a rotation.

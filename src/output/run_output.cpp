@@ -1,5 +1,6 @@
 #include "output/run_output.hpp"
 
+#include <numbers>
 #include <vector>
 
 #include "output/csv.hpp"
@@ -56,7 +57,10 @@ std::string table(const Run& run, std::span<const double> times, const StateColu
 std::string plot(const Run& run, std::span<const double> times, const StateColumns& columns,
                  PlotOptions options, const Observer& observer) {
   std::vector<Series> series;
-  for (const Column& column : columns.list()) series.push_back({column.header, {}});
+  for (const Column& column : columns.list()) {
+    series.push_back({column.header, {}});
+    if (column.wraps) series.back().jump = std::numbers::pi;
+  }
   std::vector<double> values;
   visit_states(run, times, observer, [&](const State& state) {
     values.clear();

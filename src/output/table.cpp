@@ -83,6 +83,36 @@ Column laid_out(std::string name, Column cells, Align align) {
   return cells;
 }
 
+// Two blanks between them, none at line ends.
+std::string side_by_side(std::span<const Column* const> columns, std::size_t lines) {
+  std::string out;
+  for (std::size_t i = 0; i < lines; ++i) {
+    std::string line;
+    for (const Column* column : columns)
+      line += (column == columns.front() ? "" : "  ") + (*column)[i];
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return out;
+}
+
+// As many columns side by side as fit, and the others below; each block begins with the first one.
+std::vector<std::string> blocks_of(const std::vector<Column>& columns, std::size_t width) {
+  const auto size = [](const Column& column) { return utf8_count(column.front()); };
+  std::vector<std::string> blocks;
+  std::size_t next = 1;
+  do {
+    std::vector<const Column*> block = {&columns.front()};
+    std::size_t taken = size(columns.front());
+    for (; next < columns.size(); ++next) {
+      taken += 2 + size(columns[next]);
+      if (taken > width && block.size() > 1) break;
+      block.push_back(&columns[next]);
+    }
+    blocks.push_back(side_by_side(block, columns.front().size()));
+  } while (next < columns.size());
+  return blocks;
+}
+
 }  // namespace
 
 std::string table(std::span<const std::string> header,
@@ -94,35 +124,41 @@ std::string table(std::span<const std::string> header,
                                   std::to_string(rows[i].size()) + " cells, the header has " +
                                   std::to_string(header.size()));
   }
-  std::vector<std::string> lines(rows.size() + 2);
+  std::vector<Column> columns;
   for (std::size_t c = 0; c < header.size(); ++c) {
     Column cells;
     for (const auto& row : rows) cells.push_back(c < row.size() ? row[c] : "");
-    cells =
-        laid_out(header[c], std::move(cells), c < alignment.size() ? alignment[c] : Align::kAuto);
-    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += (c > 0 ? "  " : "") + cells[i];
+    columns.push_back(
+        laid_out(header[c], std::move(cells), c < alignment.size() ? alignment[c] : Align::kAuto));
   }
-  std::string out;
-  for (const std::string& line : lines)
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-  return out;
+  std::vector<const Column*> all;
+  all.reserve(columns.size());
+  for (const Column& column : columns) all.push_back(&column);
+  return side_by_side(all, rows.size() + 2);
 }
 
-std::string number_table(std::vector<std::string> header, std::span<const std::vector<double>> rows,
-                         int digits, bool numbered, std::size_t width) {
+std::string number_table(const std::vector<std::string>& header,
+                         std::span<const std::vector<double>> rows, int digits, bool numbered,
+                         std::size_t width) {
   constexpr int kLeastDigits = 6;
-  if (numbered) header.insert(header.begin(), "i");
-  for (;; --digits) {
-    std::vector<std::vector<std::string>> cells(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (numbered) cells[i].push_back(std::to_string(i + 1));
-      for (const double x : rows[i]) cells[i].push_back(text(x, digits));
+  const auto blocks = [&](int significant) {
+    std::vector<Column> columns;
+    Column cells;
+    for (std::size_t i = 0; i < rows.size(); ++i) cells.push_back(std::to_string(i + 1));
+    if (numbered) columns.push_back(laid_out("i", cells, Align::kRight));
+    for (std::size_t c = 0; c < header.size(); ++c) {
+      for (std::size_t i = 0; i < rows.size(); ++i) cells[i] = text(rows[i][c], significant);
+      columns.push_back(laid_out(header[c], cells, Align::kPoint));
     }
-    std::string written = table(header, cells);
-    // The rule, the second line, is as wide as the widest.
-    const std::size_t rule = written.find('\n') + 1;
-    if (digits <= kLeastDigits || written.find('\n', rule) - rule <= width) return written;
-  }
+    return blocks_of(columns, width);
+  };
+  const std::size_t fewest = blocks(std::min(digits, kLeastDigits)).size();
+  std::vector<std::string> written;
+  do written = blocks(digits--);
+  while (written.size() > fewest);
+  std::string out;
+  for (const std::string& block : written) out += (out.empty() ? "" : "\n") + block;
+  return out;
 }
 
 }  // namespace rotor

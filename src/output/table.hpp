@@ -23,9 +23,13 @@ std::string table(std::span<const std::string> header,
                   std::span<const std::vector<std::string>> rows,
                   std::span<const Align> alignment = {});
 
-/// A table of numbers for people: with as many significant digits (`digits` at most, 6 at least) as
-/// fit into `width` columns. If it is `numbered`, the first column, i, counts the rows from 1.
-std::string number_table(std::vector<std::string> header, std::span<const std::vector<double>> rows,
-                         int digits, bool numbered = false, std::size_t width = 80);
+/// A table of numbers for people, `width` characters wide at most. What does not fit side by side
+/// with 6 significant digits (or `digits`, if that is fewer) stands in blocks with a blank line
+/// between, each with the first column again; a column too wide stands beside that one alone. There
+/// are as many digits, `digits` at most, as these blocks have room for. If it is `numbered`, the
+/// first column, i, counts the rows from 1. There is a column at least.
+std::string number_table(const std::vector<std::string>& header,
+                         std::span<const std::vector<double>> rows, int digits,
+                         bool numbered = false, std::size_t width = 80);
 
 }  // namespace rotor

@@ -42,12 +42,22 @@ Decomposition decomposed(const Eigen::Matrix<Extended, 3, Eigen::Dynamic>& jacob
 
 }  // namespace
 
+std::string letters_hint(std::string letters) {
+  for (char& letter : letters) {
+    if (letter >= 'X' && letter <= 'Z') letter = static_cast<char>(letter - 'X' + 'x');
+    if (letter >= '1' && letter <= '3') letter = static_cast<char>(letter - '1' + 'x');
+  }
+  if (letters.find_first_not_of("xyz") != letters.npos) return "";
+  return "; write \"" + letters + R"(", the frame is "body" or "space")";
+}
+
 std::vector<Vector> axes_of_letters(const std::string& letters) {
   std::vector<Vector> axes;
   axes.reserve(letters.size());
   for (const char letter : letters) {
     if (letter < 'x' || letter > 'z') {
-      throw std::invalid_argument("expected axes of the letters x, y, z, got \"" + letters + "\"");
+      throw std::invalid_argument("expected axes of the letters x, y, z, got \"" + letters + "\"" +
+                                  letters_hint(letters));
     }
     axes.emplace_back(Vector::Unit(letter - 'x'));
   }

@@ -15,8 +15,11 @@ namespace rotor {
 enum class Frame { kBody, kSpace };
 
 /// The unit vectors of the letters x, y, z: "zyx" gives e3, e2, e1. Throws std::invalid_argument on
-/// any other letter.
+/// any other letter, with a hint where `letters` are such as "ZYX" or "321".
 std::vector<Vector> axes_of_letters(const std::string& letters);
+
+/// "; write "zyx", ..." for letters as other programs have them, "ZYX" or "321"; else nothing.
+std::string letters_hint(std::string letters);
 
 /// A body at the end of a chain of n rotations Q(u_k, theta_k), as on a mechanism of n hinges.
 class Chain {

@@ -16,14 +16,19 @@ constexpr Extended kPi = std::numbers::pi_v<Extended>;
 
 // How well a Rotation knows its operator: its axis, three numbers rounded, is off by 1e-16 and
 // moves points by twice that, its angle in [0, 2 pi] by 4.4e-16; as much again for what went into
-// it.
+// it. Both are in proportion to a small angle.
 constexpr Extended kKnown = 1.5e-15L;
+Extended known(const Rotation& r) {
+  return kKnown * std::min<Extended>(1, std::abs(Extended{r.angle()}));
+}
 
 Extended angle_between(const ExtendedVector& u, const ExtendedVector& v) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-bool parallel(Extended angle) { return std::min(angle, kPi - angle) <= kKnown; }
+bool parallel(Extended angle, Extended tolerance = kKnown) {
+  return std::min(angle, kPi - angle) <= tolerance;
+}
 
 // Q u - u, without cancellation for a small angle.
 ExtendedVector shift(const ExtendedQuaternion& q, const ExtendedVector& u) {
@@ -57,17 +62,17 @@ Extended angle_about(const ExtendedVector& u, const ExtendedVector& p,
   return std::atan2(u.dot(from.cross(change)), from.dot(from + change));
 }
 
-// Where the angle from u1 to R u_last is, and where it should be.
+// Where R takes the last axis, and where it should.
 std::string out_of_reach(const std::string& last, Extended phi, Extended least, Extended most) {
-  const auto number = [](Extended x) { return text(static_cast<double>(x)); };
-  // By the complement, so that a right angle gives 0.
-  const auto cosine = [&](Extended x) { return number(std::sin(kPi / 2 - x)); };
-  const bool point = least == most;
-  return "out of reach: u1.R " + last + " is " + cosine(phi) + " (angle " + number(phi) +
-         " rad), reachable is " +
-         (point ? cosine(least) + " (angle " + number(least) + ")"
-                : cosine(most) + " to " + cosine(least) + " (angles " + number(least) + " to " +
-                      number(most) + ")");
+  const auto number = [](Extended x) {
+    return text(std::abs(x) < kKnown ? 0 : static_cast<double>(x), 10);
+  };
+  const std::string range =
+      least == most ? number(least) + " rad (cosine " + number(std::cos(least)) + ")"
+                    : number(least) + " to " + number(most) + " rad (cosines " +
+                          number(std::cos(most)) + " to " + number(std::cos(least)) + ")";
+  return "out of reach: R takes " + last + " to " + number(phi) + " rad from axis 1 (cosine " +
+         number(std::cos(phi)) + "), these axes reach " + range;
 }
 
 // What is determined: "a + c", or "a - c" where the axes are opposite.
@@ -146,15 +151,10 @@ std::vector<std::vector<double>> isolated(const Triple& axes, const ExtendedQuat
 
 void require_sequence(const std::string& sequence) {
   constexpr const char* kSequences = "xyz xzy yxz yzx zxy zyx xyx xzx yxy yzy zxz zyz";
-  if (sequence.size() == 3 && sequence.find(' ') == sequence.npos &&
-      std::string(kSequences).find(sequence) != std::string::npos) {
-    return;
-  }
-  const bool capital =
-      std::any_of(sequence.begin(), sequence.end(), [](char c) { return c >= 'X' && c <= 'Z'; });
-  throw std::invalid_argument(
-      std::string("expected one of the sequences ") + kSequences + ", got \"" + sequence + "\"" +
-      (capital ? R"(; the letters are small, the frame says "body" or "space")" : ""));
+  const bool is_word = sequence.size() == 3 && sequence.find(' ') == sequence.npos;
+  if (is_word && std::string(kSequences).find(sequence) != std::string::npos) return;
+  throw std::invalid_argument(std::string("expected one of the sequences ") + kSequences +
+                              ", got \"" + sequence + "\"" + letters_hint(sequence));
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ Factoring angles_about(const Rotation& r, const Vector& u1, const Vector& u2) {
   const Extended alpha = angle_between(first, second);
   const Extended phi = angle_between(first, second + shift(q, second));
   if (std::abs(phi - alpha) > kKnown) {
-    throw std::invalid_argument(out_of_reach("u2", phi, alpha, alpha));
+    throw std::invalid_argument(out_of_reach("axis 2", phi, alpha, alpha));
   }
   const auto [a, b] = pair_of(q, first, second);
   return {{{rounded(a), rounded(b)}}, parallel(alpha) ? singular("a", "b", alpha, "b") : ""};
@@ -176,7 +176,7 @@ Factoring angles_about(const Rotation& r, const Vector& u1, const Vector& u2, co
   const ExtendedQuaternion q = turn(r);
   const Extended phi = angle_between(axes.u1, axes.u3 + shift(q, axes.u3));
   if (phi < axes.least - kKnown || phi > axes.most + kKnown) {
-    throw std::invalid_argument(out_of_reach("u3", phi, axes.least, axes.most));
+    throw std::invalid_argument(out_of_reach("axis 3", phi, axes.least, axes.most));
   }
   if (parallel(axes.alpha) || parallel(axes.beta)) {
     const auto [a, c] = pair_of(q, axes.u1, axes.u3);
@@ -184,10 +184,10 @@ Factoring angles_about(const Rotation& r, const Vector& u1, const Vector& u2, co
             parallel(axes.alpha) ? singular("a", "b", axes.alpha, "b")
                                  : singular("b", "c", axes.beta, "b")};
   }
-  const Extended snapped = phi - axes.least <= kKnown  ? axes.least
-                           : axes.most - phi <= kKnown ? axes.most
-                                                       : phi;
-  if (!parallel(phi)) return {isolated(axes, q, snapped), ""};
+  const Extended snapped = phi - axes.least <= known(r)  ? axes.least
+                           : axes.most - phi <= known(r) ? axes.most
+                                                         : phi;
+  if (!parallel(phi, known(r))) return {isolated(axes, q, snapped), ""};
   const Extended b = wrapped(std::atan2(axes.sine, axes.cosine) + corner(axes, snapped));
   const Extended a = angle_about(axes.u1, q * turn(axes.u2, -b));
   return {{{rounded(a), rounded(b), 0}}, singular("a", "c", phi, "c")};

@@ -129,29 +129,25 @@ class Alignment {
       q = one_direction ? least_turn(q, u) : ExtendedQuaternion::Identity();
     }
     const ExtendedVector c = to_.centre - q * from_.centre;
+    const Extended least = rms(q.toRotationMatrix());
+    result.rotation = canonical_of(q);
+    result.translation = c.cast<double>();
+    result.rms = static_cast<double>(least);
+    result.mirrored =
+        d_ < 0 && least > 2 * rms(u_ * v_.transpose()) + 8 * (from_.rounding + to_.rounding);
+    return result;
+  }
+
+ private:
+  // Root mean square of what is left of the points by an orthogonal matrix.
+  Extended rms(const ExtendedMatrix& q) const {
     Extended squares = 0;
     for (std::size_t i = 0; i < weights_.size(); ++i) {
       squares += weights_[i] * (to_.from_centre[i] - q * from_.from_centre[i]).squaredNorm();
     }
-    result.rotation = canonical_of(q);
-    result.translation = c.cast<double>();
-    result.rms = static_cast<double>(std::sqrt(squares));
-    return result;
+    return std::sqrt(squares);
   }
 
-  // Root mean square by which the proper fit misses points that a reflection takes to each other:
-  // twice their distance from the plane in which it reflects. 0 where no reflection fits better.
-  Extended mirrored_by() const {
-    if (d_ > 0) return 0;
-    Extended sum = 0;
-    for (std::size_t i = 0; i < weights_.size(); ++i) {
-      const Extended distance = from_.from_centre[i].dot(v_.col(2));
-      sum += weights_[i] * distance * distance;
-    }
-    return 2 * std::sqrt(sum);
-  }
-
- private:
   ExtendedQuaternion proper() const {
     const ExtendedMatrix m = u_ * ExtendedVector(1, 1, d_).asDiagonal() * v_.transpose();
     return ExtendedQuaternion(m).normalized();
@@ -180,9 +176,11 @@ struct Pair {
   Extended size = 0;        // the greatest distance of any pair, in either
 };
 
-Pair worst_pair(const std::vector<Vector>& reference, const std::vector<Vector>& current) {
+Pair worst_pair(const std::vector<Vector>& reference, const std::vector<Vector>& current,
+                const std::function<void()>& look) {
   Pair worst;
   for (std::size_t i = 0; i < reference.size(); ++i) {
+    if (look) look();
     for (std::size_t j = i + 1; j < reference.size(); ++j) {
       const Extended from = (reference[j].cast<Extended>() - reference[i].cast<Extended>()).norm();
       const Extended to = (current[j].cast<Extended>() - current[i].cast<Extended>()).norm();
@@ -205,23 +203,23 @@ RigidFit fit_rigid(const std::vector<Vector>& reference, const std::vector<Vecto
 }
 
 Rigidity is_rigid(const std::vector<Vector>& reference, const std::vector<Vector>& current,
-                  double tolerance) {
+                  double tolerance, const std::function<void()>& look) {
   require_points(reference, current, "is_rigid");
   if (!(tolerance > 0 && std::isfinite(tolerance))) {
     throw std::invalid_argument("is_rigid: expected a finite positive tolerance, got " +
                                 text(tolerance));
   }
-  const Pair worst = worst_pair(reference, current);
+  const Pair worst = worst_pair(reference, current, look);
   if (worst.difference == 0 && worst.size == 0) return {true, "the points coincide"};
   const Extended relative = worst.difference / worst.size;
   const std::string by = text(static_cast<double>(std::abs(relative)), 3) + " of the body's size";
+  const RigidFit fit = fit_rigid(reference, current);
   if (std::abs(relative) > tolerance) {
     return {false, "points " + std::to_string(worst.i + 1) + " and " + std::to_string(worst.j + 1) +
                        " are " + (relative > 0 ? "farther apart" : "nearer to each other") +
-                       " by " + by};
+                       " by " + by + (fit.mirrored ? ", and it is mirrored" : "")};
   }
-  const Alignment alignment(reference, current, parts({}, reference.size(), "is_rigid"), true);
-  if (alignment.mirrored_by() > tolerance * worst.size) {
+  if (fit.mirrored && fit.rms > tolerance * static_cast<double>(worst.size)) {
     return {false, "mirrored: all distances agree, but only a reflection leads there"};
   }
   return {true, "all distances agree to " + by};

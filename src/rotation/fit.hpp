@@ -1,6 +1,7 @@
 // Rotations from points [N16-N19], and the mean of rotations.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct RigidFit {
   Vector translation;  // c
   double rms = 0;      // root of the (weighted) mean square of |x - (Q X + c)|
   bool unique = true;
+  bool mirrored = false;  // a reflection fits at less than half the rms, whatever rounding did
 };
 
 struct RigidFitOptions {
@@ -36,18 +38,18 @@ RigidFit fit_rigid(const std::vector<Vector>& reference, const std::vector<Vecto
 
 struct Rigidity {
   bool rigid;
-  std::string message;  // the pair whose distance differs most and by how much, or that it is
-                        // mirrored
+  std::string message;  // the pair whose distance differs most and by how much; if it is mirrored
 };
 
 /// Whether a rigid motion takes one configuration to the other [N16]: the distances of all pairs
 /// agree within the tolerance, relative to the size of the body (the greatest distance of a pair),
 /// and the body is not mirrored, which distances do not tell but the continuity of motion excludes.
-/// It counts as mirrored if a reflection fits better by more than the tolerance: a flat body never
-/// is. The time is quadratic in the number of points. Throws as fit_rigid, and unless the tolerance
-/// is finite and positive.
+/// It counts as mirrored if fit_rigid says so and its rms is more than the tolerance allows: a flat
+/// body never is. The time is quadratic in the number of points; `look` is called now and then, and
+/// what it throws stops the search. Throws as fit_rigid, and unless the tolerance is finite and
+/// positive.
 Rigidity is_rigid(const std::vector<Vector>& reference, const std::vector<Vector>& current,
-                  double tolerance = 1e-9);
+                  double tolerance = 1e-9, const std::function<void()>& look = {});
 
 /// The mean of operators: the rotation of the least (weighted) sum of squared Frobenius distances
 /// of matrices (chordal L2), canonical. Its quaternion is the dominant eigenvector of sum w q q^T,

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "rotation/operators.hpp"
 #include "rotation/small_angle.hpp"
 #include "rotation/text.hpp"
 
@@ -13,6 +14,8 @@ namespace rotor {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+// Beyond it doubles are 2 rad apart.
+constexpr Extended kLongest = 1e16L;
 // Of the rate of an axis, how much may be along the axis.
 constexpr double kPerpendicular = 1e-6;
 
@@ -27,6 +30,10 @@ Matrix inverse_jacobian(const Vector& v, double sign, const char* what) {
   require_finite(v.allFinite(), what, text(v));
   const ExtendedVector e = sign * v.cast<Extended>();
   const Extended theta = e.norm();
+  if (theta > kLongest) {
+    throw std::invalid_argument(std::string(what) + ": expected a length of at most 1e+16, got " +
+                                text(v) + ": how near it is to a multiple of 2 pi is not known");
+  }
   if (theta != 0 && is_full_turn(theta)) {
     throw std::invalid_argument(std::string(what) +
                                 ": singular where the length is a multiple of 2 pi, got " +
@@ -89,12 +96,6 @@ Matrix left_jacobian_inverse(const Vector& v) {
 }
 Matrix right_jacobian_inverse(const Vector& v) {
   return inverse_jacobian(v, -1, "right_jacobian_inverse");
-}
-
-ExtendedMatrix skew(const ExtendedVector& v) {
-  ExtendedMatrix m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
 }
 
 ExtendedMatrix exp_jacobian(const ExtendedVector& v) {

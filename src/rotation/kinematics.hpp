@@ -43,15 +43,13 @@ Matrix left_jacobian(const Vector& v);
 /// The right Jacobian J_r(E) = J_l(-E): the angular velocity in the body frame is J_r(E) E'.
 Matrix right_jacobian(const Vector& v);
 /// E' = J_l(E)^-1 omega [P7]: J_l^-1 = 1 - [E]x/2 + (1 - g)/theta^2 [E]x^2,
-/// g = (theta/2) cot(theta/2). Singular at a full turn but 0 (as of rotation_rates): throws
-/// std::invalid_argument. Entries are rounded once, but near a full turn and for a long v the
-/// length of v, known to 1e-19 of itself, adds 1e-19 theta^2/(4 sin^2(theta/2)).
+/// g = (theta/2) cot(theta/2). Singular at a full turn but 0 (as of rotation_rates), and unknown
+/// for |v| > 1e16: throws std::invalid_argument. Entries are rounded once, but near a full turn and
+/// for a long v the length of v, known to 1e-19 of itself, adds 1e-19 theta^2/(4 sin^2(theta/2)).
 Matrix left_jacobian_inverse(const Vector& v);
 /// J_r(E)^-1 = J_l(-E)^-1, with the same singularity.
 Matrix right_jacobian_inverse(const Vector& v);
 
-/// The matrix [v]x of the cross product: [v]x r = v x r.
-ExtendedMatrix skew(const ExtendedVector& v);
 /// The left Jacobian and its inverse in extended precision. Where it has none, the inverse is not
 /// finite, or huge.
 ExtendedMatrix exp_jacobian(const ExtendedVector& v);

@@ -13,12 +13,6 @@ namespace rotor {
 
 Matrix outer(const Vector& a, const Vector& b) { return a * b.transpose(); }
 
-Matrix skew(const Vector& u) {
-  Matrix m;
-  m << 0, 0 - u.z(), u.y(), u.z(), 0, 0 - u.x(), 0 - u.y(), u.x(), 0;  // no -0
-  return m;
-}
-
 Vector axial(const Matrix& m) {
   const ExtendedMatrix e = m.cast<Extended>();
   const ExtendedVector twice(e(2, 1) - e(1, 2), e(0, 2) - e(2, 0), e(1, 0) - e(0, 1));

@@ -13,7 +13,12 @@ namespace rotor {
 Matrix outer(const Vector& a, const Vector& b);
 
 /// S_u, the operator x -> u x x [N4].
-Matrix skew(const Vector& u);
+template <class Scalar>
+Eigen::Matrix<Scalar, 3, 3> skew(const Eigen::Matrix<Scalar, 3, 1>& u) {
+  Eigen::Matrix<Scalar, 3, 3> m;
+  m << 0, -u.z(), u.y(), u.z(), 0, -u.x(), -u.y(), u.x(), 0;
+  return m;
+}
 
 /// The axial vector of the skew part of m: skew(axial(m)) = (m - m^T)/2.
 Vector axial(const Matrix& m);

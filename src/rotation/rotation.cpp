@@ -88,7 +88,10 @@ Vector unit(const Vector& v, const char* what) {
     throw std::invalid_argument(std::string(what) + ": the zero vector has no direction");
   }
   const ExtendedVector w = v.cast<Extended>();
-  return (w / w.norm()).cast<double>();
+  const Extended length = w.norm();
+  // What rounding to double makes of a unit vector is one: unit(unit(v)) is unit(v).
+  if (std::abs(length - 1) <= 0x1.1p-53L) return v;
+  return (w / length).cast<double>();
 }
 
 double norm(const Vector& v) { return static_cast<double>(v.cast<Extended>().norm()); }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "rotation/kinematics.hpp"
+#include "rotation/operators.hpp"
 #include "rotation/small_angle.hpp"
 #include "rotation/text.hpp"
 #include "rotation/turn.hpp"
@@ -100,7 +101,7 @@ void require_times(const std::vector<double>& times, std::size_t rotations) {
 }  // namespace
 
 Spline::Spline(std::vector<double> times, const std::vector<Rotation>& rotations,
-               const std::optional<EndRates>& rates)
+               const std::optional<EndRates>& rates, const std::function<void()>& look)
     : times_(std::move(times)) {
   require_times(times_, rotations.size());
   if (rates) {
@@ -108,7 +109,7 @@ Spline::Spline(std::vector<double> times, const std::vector<Rotation>& rotations
     require_finite(rates->last.allFinite(), "spline: rates", text(rates->last));
   }
   set_segments(rotations);
-  const std::vector<ExtendedVector> omega = node_rates(rates);
+  const std::vector<ExtendedVector> omega = node_rates(rates, look);
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     // Hermite's cubic: phi'(0) = omega_i, phi'(1) = J^-1 omega_i+1 in the unit of the segment.
     Segment& s = segments_[i];
@@ -141,9 +142,11 @@ void Spline::set_segments(const std::vector<Rotation>& rotations) {
 // One step of Newton's method for the angular velocities w_i at the times, in the body frame. In a
 // segment phi'' is 6 turn/h^2 - 4 w_i/h - 2 b/h at its start and -6 turn/h^2 + 2 w_i/h + 4 b/h at
 // its end, b = J^-1 w_i+1 the rate there, and J turn = turn; the rows equate the angular
-// accelerations on both sides of t_i, of which a natural end has none outside.
+// accelerations on both sides of t_i, of which a natural end has none outside. The part of the
+// quadratic terms that counts is 1 in the end; with 0 the equations are linear.
 std::vector<ExtendedVector> Spline::next_rates(const std::vector<ExtendedVector>& now,
-                                               const std::optional<EndRates>& rates) const {
+                                               const std::optional<EndRates>& rates,
+                                               Extended part) const {
   std::vector<BlockRow> rows(times_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Segment& s = segments_[i];
@@ -155,7 +158,7 @@ std::vector<ExtendedVector> Spline::next_rates(const std::vector<ExtendedVector>
     rows[i].value += pull;
     // The quadratic term D(b) b/2 with its tangent at b0: D(b0) b - D(b0) b0/2.
     const ExtendedVector b0 = inverse * now[i + 1];
-    const ExtendedMatrix d = turning_derivative(s.turn, b0);
+    const ExtendedMatrix d = part * turning_derivative(s.turn, b0);
     rows[i + 1].before = 2 / h * body_jacobian(s.turn);
     rows[i + 1].here += 4 / h * ExtendedMatrix::Identity() + d * inverse;
     rows[i + 1].value += pull + d * b0 / 2;
@@ -173,26 +176,50 @@ std::vector<ExtendedVector> Spline::next_rates(const std::vector<ExtendedVector>
   return solve_tridiagonal(std::move(rows));
 }
 
-std::vector<ExtendedVector> Spline::node_rates(const std::optional<EndRates>& rates) const {
-  constexpr int kSteps = 50;
-  std::vector<ExtendedVector> now(times_.size(), ExtendedVector::Zero());
+// Newton's method from `now`: the rates, or none where it does not converge.
+std::optional<std::vector<ExtendedVector>> Spline::converged_rates(
+    std::vector<ExtendedVector> now, const std::optional<EndRates>& rates, Extended part,
+    const std::function<void()>& look) const {
+  constexpr int kSteps = 20;
   for (int step = 0; step < kSteps; ++step) {
-    const std::vector<ExtendedVector> next = next_rates(now, rates);
+    if (look) look();
+    std::vector<ExtendedVector> next = next_rates(now, rates, part);
     Extended change = 0;
     Extended size = 0;
     for (std::size_t i = 0; i < now.size(); ++i) {
       change += (next[i] - now[i]).squaredNorm();
       size += next[i].squaredNorm();
     }
-    now = next;
+    now = std::move(next);
     if (std::sqrt(change) <= std::numeric_limits<double>::epsilon() * std::sqrt(size)) return now;
   }
-  Extended widest = 0;
-  for (const Segment& s : segments_) widest = std::max(widest, s.turn.norm());
-  throw std::invalid_argument(
-      "spline: no angular velocities found that make the acceleration continuous; more rotations, "
-      "or times less uneven, help (the widest turn between two is " +
-      text(static_cast<double>(widest), 3) + " rad)");
+  return std::nullopt;
+}
+
+// The linear equations, then in one step all of the quadratic terms; in smaller ones where Newton's
+// method does not follow.
+std::vector<ExtendedVector> Spline::node_rates(const std::optional<EndRates>& rates,
+                                               const std::function<void()>& look) const {
+  constexpr Extended kLeastStep = 1.0L / 1024;
+  std::vector<ExtendedVector> now(times_.size(), ExtendedVector::Zero());
+  now = next_rates(now, rates, 0);
+  Extended part = 0;
+  for (Extended step = 1; part < 1;) {
+    const Extended wanted = std::min<Extended>(1, part + step);
+    if (auto next = converged_rates(now, rates, wanted, look)) {
+      now = std::move(*next);
+      part = wanted;
+      step *= 2;
+    } else if ((step /= 2) < kLeastStep) {
+      Extended widest = 0;
+      for (const Segment& s : segments_) widest = std::max(widest, s.turn.norm());
+      throw std::invalid_argument(
+          "spline: no angular velocities found that make the acceleration continuous; more "
+          "rotations, or times less uneven, help (the widest turn between two is " +
+          text(static_cast<double>(widest), 3) + " rad)");
+    }
+  }
+  return now;
 }
 
 Spline::Place Spline::place(double t) const {

@@ -1,6 +1,7 @@
 // Interpolation of rotations with continuous angular velocity and acceleration.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,9 +26,10 @@ class Spline {
   /// rotations count as operators: turns between them are not seen. Throws std::invalid_argument
   /// for fewer than two rotations, another number of times, times that do not rise or are not
   /// finite, neighbours half a turn apart (to an ulp), which no short way joins, and if the
-  /// equations for the angular velocities have no solution that Newton's method finds.
+  /// equations for the angular velocities have no solution that Newton's method finds; `look` is
+  /// called in each of its steps, and what it throws stops it.
   Spline(std::vector<double> times, const std::vector<Rotation>& rotations,
-         const std::optional<EndRates>& rates = {});
+         const std::optional<EndRates>& rates = {}, const std::function<void()>& look = {});
 
   const std::vector<double>& times() const { return times_; }
 
@@ -56,9 +58,13 @@ class Spline {
   };
   Place place(double t) const;
   void set_segments(const std::vector<Rotation>& rotations);
-  std::vector<ExtendedVector> node_rates(const std::optional<EndRates>& rates) const;
+  std::vector<ExtendedVector> node_rates(const std::optional<EndRates>& rates,
+                                         const std::function<void()>& look) const;
   std::vector<ExtendedVector> next_rates(const std::vector<ExtendedVector>& now,
-                                         const std::optional<EndRates>& rates) const;
+                                         const std::optional<EndRates>& rates, Extended part) const;
+  std::optional<std::vector<ExtendedVector>> converged_rates(
+      std::vector<ExtendedVector> now, const std::optional<EndRates>& rates, Extended part,
+      const std::function<void()>& look) const;
 
   std::vector<double> times_;
   std::vector<Segment> segments_;

@@ -53,6 +53,21 @@ void push_error_message(lua_State* L, const char* what);
 /// that ipairs ends.
 Results push_component(lua_State* L, const double* first, lua_Integer n);
 
+/// Whether both arguments are values of type T, and equal: values of different types are not.
+template <class T>
+Results equal_values(lua_State* L) {
+  const T* a = test_user_value<T>(L, 1);
+  const T* b = test_user_value<T>(L, 2);
+  bool equal = a != nullptr && b != nullptr;
+  if constexpr (requires { *a == *b; }) {
+    equal = equal && *a == *b;
+  } else {
+    equal = equal && a->coeffs() == b->coeffs();
+  }
+  lua_pushboolean(L, equal ? 1 : 0);
+  return {1};
+}
+
 /// More arguments than a function or method takes are an error (an operator gets what Lua gives
 /// it).
 void refuse_more_arguments(lua_State* L, int count);

@@ -3,6 +3,7 @@
 // get(L, index) gives the value or throws Mismatch; push(L, value) pushes it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <lua.hpp>
 #include <memory>
@@ -82,6 +83,14 @@ T* test_user_value(lua_State* L, int index) {
   return block == nullptr ? nullptr : aligned<T>(block);
 }
 
+/// About how many bytes a value keeps where Lua's collector does not see them.
+template <class T>
+std::size_t hidden_bytes(const T&) {
+  return 0;
+}
+inline std::size_t hidden_bytes(const Spline& spline) { return 300 * spline.times().size(); }
+inline std::size_t hidden_bytes(const SharedRun& run) { return 400 * run->propagator().cost.steps; }
+
 template <class T>
 struct ConvertUser {
   static const T& get(lua_State* L, int index) {
@@ -93,6 +102,10 @@ struct ConvertUser {
     void* block = lua_newuserdatauv(L, sizeof(T) + alignof(T), 1);
     new (aligned<T>(block)) T(value);
     luaL_setmetatable(L, metatable_key(UserType<T>::kName).c_str());
+    // As if Lua had allocated them: else garbage of this kind would outgrow the memory.
+    const auto kilobytes =
+        static_cast<int>(std::min<std::size_t>(hidden_bytes(value) >> 10, 1 << 30));
+    if (kilobytes > 0) lua_gc(L, LUA_GCSTEP, kilobytes);
   }
   // Without its metatable the value is none any more: another finalizer may still hold it.
   static int collect(lua_State* L) {

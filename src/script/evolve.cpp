@@ -37,8 +37,8 @@ AngularVelocity omega_of(lua_State* L, const Options& options) {
   try {
     return scripted_omega(L, lua_gettop(L));
   } catch (const Mismatch&) {
-    throw std::invalid_argument("omega: expected a function of t, a vec or {x, y, z}, got " +
-                                describe(L, -1));
+    throw std::invalid_argument(
+        "omega: expected a function of t, a vec, {x, y, z} or a spline, got " + describe(L, -1));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "rotation/random.hpp"
 #include "script/binding.hpp"
+#include "script/interrupt.hpp"
 #include "script/options.hpp"
 #include "script/show.hpp"
 
@@ -39,7 +40,6 @@ constexpr const char* kFitRigid = "fit_rigid(X, x, {weights=, translation=}) -> 
 Results fit_points(lua_State* L) {
   const auto reference = argument<Points>(L, 1);
   const auto current = argument<Points>(L, 2);
-  refuse_more_arguments(L, 3);
   const Options options(L, 3, kFitRigid);
   const bool translation = options.get<bool>("translation").value_or(true);
   Convert<RigidFit>::push(L, fit_rigid(reference, current, {weights_of(options), translation}));
@@ -51,7 +51,8 @@ Results rigidity(lua_State* L) {
   const auto current = argument<Points>(L, 2);
   const auto tolerance = argument<std::optional<double>>(L, 3);
   refuse_more_arguments(L, 3);
-  const Rigidity found = is_rigid(reference, current, tolerance.value_or(1e-9));
+  const Rigidity found =
+      is_rigid(reference, current, tolerance.value_or(1e-9), stop_if_interrupted);
   lua_pushboolean(L, found.rigid ? 1 : 0);
   Convert<std::string>::push(L, found.message);
   return {2};
@@ -60,7 +61,6 @@ Results rigidity(lua_State* L) {
 constexpr const char* kMean = "mean(rotations, {weights=}) -> rotation";
 Results mean_rotation(lua_State* L) {
   const auto rotations = argument<std::vector<Rotation>>(L, 1);
-  refuse_more_arguments(L, 2);
   const Options options(L, 2, kMean);
   Convert<Rotation>::push(L, mean(rotations, weights_of(options)));
   return {1};
@@ -70,18 +70,28 @@ Rotation fitted_rotation(const RigidFit& fit) { return fit.rotation; }
 Vector fitted_translation(const RigidFit& fit) { return fit.translation; }
 double rms(const RigidFit& fit) { return fit.rms; }
 bool unique(const RigidFit& fit) { return fit.unique; }
+bool mirrored(const RigidFit& fit) { return fit.mirrored; }
 std::string text_of_fit(const RigidFit& fit) {
-  return "rigid_fit  rms " + shown(fit.rms) + (fit.unique ? "" : "  not unique") +
-         "\n  rotation     " + shown_axis_angle(fit.rotation.axis(), fit.rotation.angle(), 15) +
-         "\n  translation  " + shown(fit.translation);
+  std::string text = "rigid_fit  rms " + shown(fit.rms);
+  if (fit.mirrored) text += "  mirrored: a reflection fits better";
+  if (!fit.unique) {
+    text += "\n  not unique   points on a line leave the turn about it free";
+    if (!fit.translation.isZero(0)) {
+      text += "\n               are they directions? then say translation = false";
+    }
+  }
+  return text + "\n  rotation     " +
+         shown_axis_angle(fit.rotation.axis(), fit.rotation.angle(), 15) + "\n  translation  " +
+         shown(fit.translation);
 }
 
 constexpr Entry kFunctions[] = {
     {"fit_rigid", bound<fit_points>, kFitRigid,
      "The rigid motion x = Q X + c [N19] of least squares from a list of points X to a list x, "
-     "with "
-     "a proper Q, also from mirrored points. weights: one a point. translation = false: c = 0, the "
-     "attitude from pairs of vectors (Wahba).",
+     "with a proper Q, also from mirrored points. weights: one a point. translation = false: c = "
+     "0, "
+     "the attitude from pairs of directions (Wahba): X as the body has them and x in space give "
+     "the rotation from body to space.",
      "fit_rigid({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{2, 0, 0}, {2, 1, 0}, {1, 0, 0}}).unique --> "
      "true"},
     {"is_rigid", bound<rigidity>, "is_rigid(X, x, tolerance) -> boolean, string",
@@ -118,6 +128,9 @@ constexpr Entry kFields[] = {
      "thick "
      "every way) Q is the least turn of the longest direction of X to that of x.",
      ROTOR_FIT ".unique --> true"},
+    {"mirrored", bound<mirrored>, "fit.mirrored -> boolean",
+     "Whether the points are mirrored: a reflection fits them at less than half the rms.",
+     ROTOR_FIT ".mirrored --> false"},
 };
 
 constexpr Entry kOperators[] = {

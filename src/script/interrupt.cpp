@@ -6,6 +6,8 @@
 #include <atomic>
 #include <csignal>
 
+#include "integrate/loop.hpp"
+
 namespace rotor::script {
 namespace {
 
@@ -184,6 +186,10 @@ void watch_interrupts(lua_State* L) {
 void unwatch_interrupts() { std::signal(SIGINT, SIG_DFL); }
 
 bool interrupt_pending() { return pending; }
+
+void stop_if_interrupted() {
+  if (pending) throw Interrupted();
+}
 
 void clear_interrupt(lua_State* L) {
   pending = false;

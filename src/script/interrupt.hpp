@@ -23,6 +23,9 @@ void unwatch_interrupts();
 /// Whether Ctrl-C came since the last clear_interrupt. Loops in C++ ask this and stop.
 bool interrupt_pending();
 
+/// Throws Interrupted if it did.
+void stop_if_interrupted();
+
 /// Back at the prompt: forgets the interrupt and takes the hook away.
 void clear_interrupt(lua_State* L);
 

@@ -8,6 +8,7 @@
 
 #include "rotation/spline.hpp"
 #include "script/binding.hpp"
+#include "script/interrupt.hpp"
 #include "script/options.hpp"
 #include "script/show.hpp"
 
@@ -51,7 +52,7 @@ Results spline_entry(lua_State* L) {
     }
     ends = {rates->front(), rates->back()};
   }
-  Convert<Spline>::push(L, Spline(times, rotations, ends));
+  Convert<Spline>::push(L, Spline(times, rotations, ends, stop_if_interrupted));
   return {1};
 }
 Rotation at(const Spline& s, double t) { return s(t); }
@@ -79,7 +80,8 @@ constexpr Entry kFunctions[] = {
     {"rotation_rates", bound<rotation_rates>, "rotation_rates(R, omega) -> rates",
      "How axis and angle of R move at the angular velocity omega (space frame) [P5], the inverse "
      "of "
-     "angular_velocity. Where the angle is 2 pi n, R is the identity whatever its axis: it keeps "
+     "angular_velocity. Where the angle is 2 pi n (to 2^-51 of it, up to 4e9), R is the identity "
+     "whatever its axis: it keeps "
      "its axis if omega is along it; else the axis jumps, and the choice made is to omega/|omega|, "
      "with the angle growing at |omega| and axis_rate 0, as a constant omega has it.",
      ROTOR_RATES ".angle_rate --> 2.0"},
@@ -142,8 +144,8 @@ constexpr Entry kSplineFields[] = {
 };
 constexpr Entry kSplineMethods[] = {
     {"omega", bound<omega>, "spline:omega(t) -> vec",
-     "The angular velocity at t, in the space frame: evolve{omega = function(t) return s:omega(t) "
-     "end, from = s(t0), t = {t0, t1}} is the same motion.",
+     "The angular velocity at t, in the space frame; evolve{omega = spline, from = spline(t0), t = "
+     "{t0, t1}} is the same motion.",
      ROTOR_SPLINE ":omega(0.5) --> vec(0.0, 0.0, 1.0)"},
     {"acceleration", bound<acceleration>, "spline:acceleration(t) -> vec",
      "The angular acceleration at t, the derivative of omega, in the space frame.",

@@ -17,31 +17,57 @@
 namespace rotor::script {
 namespace {
 
-constexpr const char* kTable = "rotation.table(rotations, {columns=})";
+// The columns of rotations; those that have times begin with t, unless it is named elsewhere.
+RotationColumns rotation_columns(lua_State* L, const Options& options, bool timed) {
+  const auto standard = RotationColumns::standard();
+  const Names given =
+      options.get<Names>("columns").value_or(Names{{standard.begin(), standard.end()}});
+  std::vector<std::string> names = given.list;
+  if (timed && std::find(names.begin(), names.end(), "t") == names.end())
+    names.insert(names.begin(), "t");
+  return columns_of<RotationColumns>(L, names, timed);
+}
+
+// The option separator.
+char separator_option(const Options& options) {
+  const std::string separator = options.get<std::string>("separator").value_or(",");
+  if (separator.size() != 1)
+    throw std::invalid_argument("separator: expected one character, as \";\", got \"" + separator +
+                                "\"");
+  return separator[0];
+}
+
+constexpr const char* kTable = "rotation.table(rotations, {columns=, times=})";
 Results table_entry(lua_State* L) {
   const auto rotations = argument<std::vector<Rotation>>(L, 1);
   const Options options(L, 2, kTable);
-  print(L, table(rotations, columns_option<RotationColumns>(L, options), precision()));
+  const auto times = options.get<std::vector<double>>("times");
+  const RotationColumns columns = rotation_columns(L, options, times.has_value());
+  print(L, table(rotations, columns, precision(), times.value_or(std::vector<double>{})));
   return {0};
 }
 
-constexpr const char* kCsv = "rotation.csv(file, rotations, {columns=})";
+constexpr const char* kCsv = "rotation.csv(file, rotations, {columns=, times=})";
 Results csv(lua_State* L) {
   const std::string file = file_argument(L, 1);
   const auto rotations = argument<std::vector<Rotation>>(L, 2);
   const Options options(L, 3, kCsv);
-  const auto columns = columns_option<RotationColumns>(L, options);
-  print_written(L, file, rotations.size(), write_csv(rotations, columns, file, scene_name(L)));
+  const auto times = options.get<std::vector<double>>("times");
+  const RotationColumns columns = rotation_columns(L, options, times.has_value());
+  const bool with_json =
+      write_csv(rotations, columns, file, scene_name(L), times.value_or(std::vector<double>{}));
+  print_written(L, file, rotations.size(), with_json);
   return {0};
 }
 
-constexpr const char* kReadRotations = "rotation.read_csv(file, {face=, columns=}) -> table";
+constexpr const char* kReadRotations =
+    "rotation.read_csv(file, {face=, columns=, separator=}) -> table";
 Results read_rotations(lua_State* L) {
   const std::string file = file_argument(L, 1);
   const Options options(L, 2, kReadRotations);
   const std::string face = options.get<std::string>("face").value_or("");
   const Names names = options.get<Names>("columns").value_or(Names{});
-  const CsvTable table = read_csv(file, watching(0, 1));
+  const CsvTable table = read_csv(file, watching(0, 1), separator_option(options));
   try {
     Convert<std::vector<Rotation>>::push(L, rotations_of(table, face, names.list));
   } catch (const UnknownName& unknown) {
@@ -50,9 +76,12 @@ Results read_rotations(lua_State* L) {
   return {1};
 }
 
+constexpr const char* kReadColumns = "read_csv(file, {separator=}) -> table";
 Results read_columns(lua_State* L) {
-  refuse_more_arguments(L, 1);
-  const CsvTable table = read_csv(file_argument(L, 1), watching(0, 1));
+  refuse_more_arguments(L, 2);
+  const std::string file = file_argument(L, 1);
+  const Options options(L, 2, kReadColumns);
+  const CsvTable table = read_csv(file, watching(0, 1), separator_option(options));
   lua_createtable(L, 0, static_cast<int>(table.columns.size()));
   for (const CsvColumn& column : table.columns) {
     Convert<std::string>::push(L, column.name);
@@ -137,10 +166,11 @@ Results write_columns(lua_State* L) {
 }
 
 constexpr Entry kFunctions[] = {
-    {"read_csv", bound<read_columns>, "read_csv(file) -> table",
+    {"read_csv", bound<read_columns>, kReadColumns,
      "The columns of a CSV file with a header row, by name: data.t[1], data[\"angle_rad\"][1]. A "
      "column is a list of numbers where each field is one (nan, inf, -inf; an empty field is nan), "
-     "else a list of strings.",
+     "else a list of strings. separator: one character, as \";\" or \"\\t\" "
+     "(default \",\"). A decimal comma is not read.",
      "data = read_csv \"log.csv\""},
     {"write_csv", bound<write_columns>, kWrite,
      "Writes columns of one length as CSV: data is a table of lists by name, of numbers, strings, "
@@ -153,19 +183,21 @@ constexpr Entry kFunctions[] = {
 constexpr Entry kStatics[] = {
     {"table", bound<table_entry>, kTable,
      "Prints a list of rotations. columns: quantities or components, as named for run:csv, but for "
-     "t, omega and rates (default angle, axis). Digits are left out that do not fit into 80 "
-     "columns.",
+     "omega and rates (default angle, axis). times: one for each, the column t. Digits are left "
+     "out that do not fit into 80 columns; with 6 left, columns that do not fit stand below.",
      "rotation.table{rotation.identity} --> "},
     {"csv", bound<csv>, kCsv,
-     "Writes a list of rotations as CSV, and what the columns mean as FILE.json. columns: as for "
-     "rotation.table.",
+     "Writes a list of rotations as CSV, and what the columns mean as FILE.json. columns and "
+     "times: as for rotation.table; read_csv(file).t reads the times back.",
      "rotation.csv(\"/dev/null\", {rotation.identity}) --> "},
     {"read_csv", bound<read_rotations>, kReadRotations,
      "The rotations of a CSV file, one a row. They are read from the first of these faces that has "
      "all its columns there: axis_angle (angle_rad, axis_x, ...: keeps all), euler_vector, "
-     "quaternion, mrp, matrix, gibbs, modified_gibbs, euler_zyx and the other sequences. face: "
+     "quaternion, mrp, matrix, gibbs, euler_zyx and the other sequences (modified_gibbs alone does "
+     "not tell a rotation, shadow_mrp not the identity). face: "
      "this one. columns: the names that its columns have in the file, in its order (a "
-     "quaternion's: scalar first). A row that is no rotation is an error with its line.",
+     "quaternion's: scalar first). A row that is no rotation is an error with its line. separator: "
+     "as for read_csv.",
      "list = rotation.read_csv(\"log.csv\", {face = \"quaternion\", columns = {\"qw\", \"qx\", "
      "\"qy\", \"qz\"}})"},
 };

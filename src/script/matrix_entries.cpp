@@ -11,7 +11,6 @@
 namespace rotor::script {
 namespace {
 
-Matrix skew_matrix(const Vector& u) { return skew(u); }
 Matrix make_matrix(const Matrix& rows) { return rows; }
 
 Matrix add_matrices(const Matrix& m, const Matrix& n) { return m + n; }
@@ -97,7 +96,7 @@ constexpr Entry kFunctions[] = {
     {"outer", bound<outer>, "outer(a, b) -> matrix",
      "The tensor product of two vectors: the operator that takes x to a times dot(b, x).",
      "outer({1, 2, 3}, {0, 1, 0}) * {5, 6, 7} --> vec(6.0, 12.0, 18.0)"},
-    {"skew", bound<skew_matrix>, "skew(u) -> matrix",
+    {"skew", bound<skew<double>>, "skew(u) -> matrix",
      "S_u, the operator that takes x to cross(u, x) [N4]. axial(m) is its inverse.",
      "skew {0, 0, 1} * {1, 0, 0} --> vec(0.0, 1.0, 0.0)"},
     {"axial", bound<axial>, "axial(m) -> vec",

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "script/binding.hpp"
 #include "script/lua_value.hpp"
 
 namespace rotor::script {
@@ -28,6 +29,7 @@ void push_keys(lua_State* L, std::string_view signature) {
 
 Options::Options(lua_State* L, int index, const char* signature)
     : L_(L), index_(lua_absindex(L, index)) {
+  refuse_more_arguments(L, index_);
   if (lua_isnoneornil(L, index)) {
     lua_newtable(L);
     index_ = lua_gettop(L);

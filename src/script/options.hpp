@@ -11,8 +11,8 @@
 
 namespace rotor::script {
 
-/// The table at `index`, its keys checked against those of a signature, "f{key=, other=} -> type":
-/// an unknown key is an std::invalid_argument with a "did you mean".
+/// The table at `index`, the last argument, its keys checked against those of a signature, "f{key=,
+/// other=} -> type": an unknown key is an std::invalid_argument with a "did you mean".
 class Options {
  public:
   Options(lua_State* L, int index, const char* signature);

@@ -34,11 +34,11 @@ std::string scene_name(lua_State* L);
 /// As std::invalid_argument, with "did you mean" where there is one.
 [[noreturn]] void throw_with_hint(lua_State* L, const UnknownName& unknown);
 
-/// C(names), a choice of columns.
-template <class C>
-C columns_of(lua_State* L, const std::vector<std::string>& names) {
+/// C(names, more), a choice of columns.
+template <class C, class... More>
+C columns_of(lua_State* L, const std::vector<std::string>& names, More... more) {
   try {
-    return C(names);
+    return C(names, more...);
   } catch (const UnknownName& unknown) {
     throw_with_hint(L, unknown);
   }

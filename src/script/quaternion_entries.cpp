@@ -45,13 +45,7 @@ Quaternion subtract_quaternions(const Quaternion& p, const Quaternion& q) {
   return Quaternion(Eigen::Vector4d(p.coeffs() - q.coeffs()));
 }
 Quaternion negative_quaternion(const Quaternion& q, const Quaternion&) { return scaled(q, -1); }
-bool equal_quaternions(const Quaternion& p, const Quaternion& q) {
-  return p.coeffs() == q.coeffs();
-}
-std::string text_of_quaternion(const Quaternion& q) {
-  return "quaternion(" + shown(q.w()) + ", " + shown(q.x()) + ", " + shown(q.y()) + ", " +
-         shown(q.z()) + ")";
-}
+std::string text_of_quaternion(const Quaternion& q) { return shown(q); }
 double norm_of_quaternion(const Quaternion& q) { return norm(q); }
 Quaternion conjugate(const Quaternion& q) { return q.conjugate(); }
 Quaternion unit_quaternion(const Quaternion& q) { return unit(q); }
@@ -62,6 +56,7 @@ double dot_of_quaternions(const Quaternion& p, const Quaternion& q) {
   return static_cast<double>(p.cast<Extended>().dot(q.cast<Extended>()));
 }
 Results polar_form(lua_State* L) {
+  refuse_more_arguments(L, 1);
   const Polar form = polar(argument<Quaternion>(L, 1));
   lua_pushnumber(L, form.norm);
   Convert<Rotation>::push(L, form.rotation);
@@ -146,7 +141,8 @@ constexpr Entry kOperators[] = {
     {"__unm", bound<negative_quaternion>, "-q -> quaternion",
      "The opposite: the same operator, a turn further.",
      "-quaternion(1, 2, 3, 4) --> quaternion(-1.0, -2.0, -3.0, -4.0)"},
-    {"__eq", bound<equal_quaternions>, "p == q -> boolean", "Whether all components are equal.",
+    {"__eq", bound<equal_values<Quaternion>>, "p == q -> boolean",
+     "Whether all components are equal.",
      "quaternion(1, 0, 0, 0) == -quaternion(1, 0, 0, 0) --> false"},
     {"__len", bound<size_quaternion>, "#q -> number", "4.", "#quaternion(1, 2, 3, 4) --> 4"},
     {"__tostring", bound<text_of_quaternion>, "tostring(q) -> string",

@@ -51,7 +51,6 @@ Results multiply(lua_State* L) {
   return {1};
 }
 Rotation power(const Rotation& r, double x) { return r.power(x); }
-bool equal(const Rotation& r, const Rotation& s) { return r == s; }
 std::string text_of(const Rotation& r) {
   return "rotation  " + shown_axis_angle(r.axis(), r.angle(), 10);
 }
@@ -188,7 +187,8 @@ constexpr Entry kOperators[] = {
      "rotation({0, 0, 1}, 0) * {1, 2, 3} --> vec(1.0, 2.0, 3.0)"},
     {"__pow", bound<power>, "R ^ x -> rotation", "Same axis, angle times x.",
      "(rotation({0, 0, 1}, 1) ^ 10).angle --> 10.0"},
-    {"__eq", bound<equal>, "R == S -> boolean", "Same axis and same angle; see R:same_operator(S).",
+    {"__eq", bound<equal_values<Rotation>>, "R == S -> boolean",
+     "Same axis and same angle; see R:same_operator(S).",
      "rotation({0, 0, 1}, 1) == rotation({0, 0, 2}, 1) --> true"},
     {"__tostring", bound<text_of>, "tostring(R) -> string",
      "The text under which the terminal shows it.", "#tostring(rotation.identity) > 0 --> true"},

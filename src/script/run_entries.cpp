@@ -186,7 +186,7 @@ constexpr Entry kFunctions[] = {
      "Follows a body that turns with the angular velocity omega, in the space frame, in radians "
      "per unit of t: a "
      "vector (constant), or a function of t alone that returns three numbers (fast), a table or a "
-     "vec. from: the "
+     "vec, or a spline. from: the "
      "rotation at the start (default identity). to: the end, from t = 0; or t = {t0, t1}, backward "
      "too. accuracy: "
      "the wanted bound on the rotation error over the whole run, rad (default 1e-10). method: "
@@ -218,10 +218,14 @@ constexpr Entry kMethods[] = {
     {"table", bound<table_entry>, kTable,
      "Prints quantities or components, as named for run:csv (one name or a list), at n times "
      "(default 11), at "
-     "every so much, or at the given times. Digits are left out that do not fit into 80 columns.",
+     "every so much, or at the given times. Digits are left out that do not fit into 80 columns; "
+     "with 6 left, "
+     "columns that do not fit stand below.",
      ROTOR_RUN ":table(\"angle\", {n = 3}) --> "},
     {"plot", bound<plot_entry>, kPlot,
-     "Draws quantities or components over t, as named for run:csv: one name or a list of names.",
+     "Draws quantities or components over t, as named for run:csv: one name or a list of names. "
+     "The curve of an "
+     "Euler angle is broken where it goes on from pi to -pi.",
      ROTOR_RUN ":plot(\"angle\", {height = 5}) --> "},
 };
 

@@ -55,6 +55,9 @@ Vector vector_of_results(lua_State* L, int first, int count, const std::string& 
 }  // namespace
 
 AngularVelocity scripted_omega(lua_State* L, int index) {
+  if (const Spline* spline = test_user_value<Spline>(L, index)) {
+    return {[s = *spline](double t) { return s.omega(t); }, "the spline's omega"};
+  }
   if (!lua_isfunction(L, index)) return Convert<Vector>::get(L, index);
   auto function = std::make_shared<const Reference>(L, index);
   std::string name = name_of_function(L, index);

@@ -1,5 +1,4 @@
 // Sequences of rotations: chains, Euler angles, factoring, and whether two commute.
-#include <array>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -46,7 +45,6 @@ Results angles_about_axes(lua_State* L) {
   const bool two = lua_istable(L, 4) && lua_rawlen(L, 4) == 0;
   const int last = two ? 4 : 5;
   const auto u3 = two ? std::nullopt : argument<std::optional<Vector>>(L, 4);
-  refuse_more_arguments(L, last);
   const Options options(L, last, kAnglesAbout);
   const Factoring factoring = u3 ? angles_about(r, u1, u2, *u3) : angles_about(r, u1, u2);
   warn_if_singular(L, factoring, options);
@@ -58,12 +56,17 @@ constexpr const char* kFromEulerAngles =
     "rotation.from_euler_angles(sequence, a, b, c, {frame=}) -> rotation";
 Results of_euler_angles(lua_State* L) {
   const auto sequence = argument<std::string>(L, 1);
-  const auto a = argument<double>(L, 2);
-  const auto b = argument<double>(L, 3);
-  const std::array angles = {a, b, argument<double>(L, 4)};
-  refuse_more_arguments(L, 5);
-  const Frame frame = frame_of(Options(L, 5, kFromEulerAngles));
-  Convert<Rotation>::push(L, from_euler_angles(sequence, angles, frame));
+  Vector angles;
+  const bool list = lua_type(L, 2) != LUA_TNUMBER;
+  if (list) {
+    angles = argument<Vector>(L, 2);
+  } else {
+    for (int i = 0; i < 3; ++i) angles(i) = argument<double>(L, 2 + i);
+  }
+  const int last = list ? 3 : 5;
+  const Frame frame = frame_of(Options(L, last, kFromEulerAngles));
+  Convert<Rotation>::push(L,
+                          from_euler_angles(sequence, {angles.x(), angles.y(), angles.z()}, frame));
   return {1};
 }
 
@@ -72,7 +75,6 @@ constexpr const char* kEulerAngles =
 Results euler_angles_of(lua_State* L) {
   const Rotation& r = argument<Rotation>(L, 1);
   const auto sequence = argument<std::string>(L, 2);
-  refuse_more_arguments(L, 3);
   const Options options(L, 3, kEulerAngles);
   const std::size_t solution = options.get<std::size_t>("solution").value_or(1);
   if (solution != 1 && solution != 2) {
@@ -102,7 +104,6 @@ std::vector<Vector> axes_of(lua_State* L, const Options& options) {
 
 constexpr const char* kChain = "chain{axes=, angles=, rates=, frame=} -> chain";
 Results make_chain(lua_State* L) {
-  refuse_more_arguments(L, 1);
   const Options options(L, 1, kChain);
   const std::vector<Vector> axes = axes_of(L, options);
   const auto angles = options.get<std::vector<double>>("angles");
@@ -161,7 +162,8 @@ constexpr Entry kFunctions[] = {
 
 constexpr Entry kStatics[] = {
     {"from_euler_angles", bound<of_euler_angles>, kFromEulerAngles,
-     "From Euler angles about the letters of a sequence, one of xyz xzy yxz yzx zxy zyx xyx xzx "
+     "From Euler angles, three numbers or {a, b, c}, about the letters of a sequence, one of xyz "
+     "xzy yxz yzx zxy zyx xyx xzx "
      "yxy yzy zxz zyz; about axes of the \"body\" (default, intrinsic: \"zyx\" is Qz(a) Qy(b) "
      "Qx(c), yaw, pitch and roll) or of \"space\" (extrinsic: Qx(c) Qy(b) Qz(a)). Angle in [0, 2 "
      "pi].",
@@ -173,7 +175,8 @@ constexpr Entry kMethods[] = {
      "The Euler angles a, b, c for a sequence such as \"zyx\" (see rotation.from_euler_angles), in "
      "(-pi, pi]. Of the two solutions the first (default) has b in [0, pi] where the outer letters "
      "agree, else in [-pi/2, pi/2]. Where that ends (gimbal lock) only a + c or a - c is "
-     "determined: then c = 0, and a line on stderr says so, unless singular = \"silent\".",
+     "determined: then c = 0, and a line on stderr says so, unless singular = \"silent\". In "
+     "degrees: vec(R:euler_angles(\"zyx\"))/deg.",
      "select(3, rotation({1, 0, 0}, 0.5):euler_angles(\"zyx\")) --> 0.5"},
     {"angles_about", bound<angles_about_axes>, kAnglesAbout,
      "All {a, b, c} with R = Q(a1, a) Q(a2, b) Q(a3, c), in (-pi, pi], smaller |b| first; without "

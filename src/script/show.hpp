@@ -18,8 +18,11 @@ void set_precision(int digits);
 std::string shown(double x);
 /// "(x, y, z)" of it.
 std::string shown(const Vector& v);
-/// "axis (...)  angle ... rad (... deg)" in one line where it fits into 80 columns after `indent`
-/// columns.
+/// "quaternion(w, x, y, z)", x, y and z on a line of their own where it does not fit into 80
+/// columns (fewer within a table).
+std::string shown(const Quaternion& q);
+/// "angle ... rad (... deg)  axis (...)" in one line where it fits into 80 columns (fewer within a
+/// table) after `indent` columns, else the axis on the next line, `indent` columns in or fewer.
 std::string shown_axis_angle(const Vector& axis, double angle, std::size_t indent);
 
 }  // namespace rotor::script

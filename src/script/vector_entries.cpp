@@ -31,7 +31,18 @@ struct Convert<Eigen::VectorXd> {
 
 namespace {
 
-Vector make_vec(double x, double y, double z) { return {x, y, z}; }
+Results make_vec(lua_State* L) {
+  if (lua_istable(L, 1) || test_user_value<Vector>(L, 1) != nullptr) {
+    refuse_more_arguments(L, 1);
+    Convert<Vector>::push(L, argument<Vector>(L, 1));
+    return {1};
+  }
+  refuse_more_arguments(L, 3);
+  const auto x = argument<double>(L, 1);
+  const auto y = argument<double>(L, 2);
+  Convert<Vector>::push(L, {x, y, argument<double>(L, 3)});
+  return {1};
+}
 
 template <int I>
 double component(const Vector& v) {
@@ -43,7 +54,6 @@ Results numbered_vec(lua_State* L) { return push_component(L, argument<Vector>(L
 Vector add(const Vector& a, const Vector& b) { return a + b; }
 Vector subtract(const Vector& a, const Vector& b) { return a - b; }
 Vector negative(const Vector& v, const Vector&) { return -v; }
-bool equal(const Vector& a, const Vector& b) { return a == b; }
 Results size_vec(lua_State* L) {
   lua_pushinteger(L, 3);
   return {1};
@@ -63,8 +73,14 @@ Results multiply(lua_State* L) {
 }
 Vector divide(const Vector& v, double x) { return v / x; }
 
-double dot(const Vector& a, const Vector& b) { return a.dot(b); }
-double norm_of(const Vector& v) { return norm(v); }
+double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  if (a.size() != b.size()) {
+    throw std::invalid_argument("expected vectors of one size, got " + std::to_string(a.size()) +
+                                " and " + std::to_string(b.size()) + " components");
+  }
+  return a.dot(b);
+}
+double norm_of(const Eigen::VectorXd& v) { return static_cast<double>(v.cast<Extended>().norm()); }
 Vector unit_of(const Vector& v) { return unit(v); }
 
 // All arguments.
@@ -101,24 +117,25 @@ Results sign_of_permutation(lua_State* L) {
 
 constexpr Entry kFunctions[] = {
     {"vec", bound<make_vec>, "vec(x, y, z) -> vec",
-     "A vector. Wherever one is taken, {x, y, z} will do. Its components are v.x, v.y, v.z and "
-     "v[1], v[2], v[3].",
+     "A vector, of three numbers or of {x, y, z}; wherever one is taken, {x, y, z} will do. Its "
+     "components are v.x, v.y, v.z and v[1], v[2], v[3].",
      "vec(1, 2, 3) --> vec(1.0, 2.0, 3.0)"},
-    {"dot", bound<dot>, "dot(a, b) -> number", "Scalar product of two vectors.",
+    {"dot", bound<dot>, "dot(a, b) -> number",
+     "Scalar product of two vectors, or of two lists of n numbers.",
      "dot({1, 2, 3}, {4, 5, 6}) --> 32.0"},
     {"cross", bound<cross_product>, "cross(a, b) -> vec",
      "Vector product of two vectors [N1]. Of n - 1 lists of n numbers, n from 2 to 8: the list "
      "that "
-     "is perpendicular to all of them. Exact (then rounded once) if all numbers are integers.",
+     "is perpendicular to all of them. Exact (then rounded once) for integers whose product of "
+     "lengths is below 1e37.",
      "cross({1, 0, 0}, {0, 1, 0}) --> vec(0.0, 0.0, 1.0)"},
     {"box", bound<box_product>, "box(a, b, c) -> number",
      "Box product a . cross(b, c), the signed volume [N2]; of n lists of n numbers, n from 2 to 8. "
-     "Exact (then rounded once) if all numbers are integers.",
+     "Exact (then rounded once) for integers whose product of lengths is below 1e37.",
      "box({1, 2, 3}, {4, 5, 6}, {7, 8, 10}) --> -3.0"},
     {"det", bound<determinant_of>, "det(T) -> number",
      "Determinant of the operator with the matrix T [N3]: n rows of n numbers, n from 2 to 8. "
-     "Exact "
-     "(then rounded once) if all numbers are integers.",
+     "Exact (then rounded once) for integers whose product of lengths is below 1e37.",
      "det({{1, 2}, {3, 4}}) --> -2.0"},
     {"orientation", bound<orientation_of>, "orientation(a, b, c) -> number",
      "1 if the basis is right-handed, -1 if it is left-handed; of n lists of n numbers, n from 2 "
@@ -130,7 +147,8 @@ constexpr Entry kFunctions[] = {
      "one.",
      "permutation_sign {2, 3, 1} --> 1"},
     {"norm", bound<norm_of>, "norm(v) -> number",
-     "Length of a vector; does not over- or underflow on the way.", "norm {3, 0, 4} --> 5.0"},
+     "Length of a vector or list; does not over- or underflow on the way.",
+     "norm {3, 0, 4} --> 5.0"},
     {"unit", bound<unit_of>, "unit(v) -> vec",
      "The vector of length 1 in the direction of v. The zero vector has none: an error.",
      "unit {0, 3, 4} --> vec(0.0, 0.6, 0.8)"},
@@ -156,7 +174,7 @@ constexpr Entry kOperators[] = {
      "2 * vec(1, 2, 3) --> vec(2.0, 4.0, 6.0)"},
     {"__div", bound<divide>, "v / x -> vec", "Vector divided by a number.",
      "vec(1, 2, 3) / 2 --> vec(0.5, 1.0, 1.5)"},
-    {"__eq", bound<equal>, "v == w -> boolean", "Whether all components are equal.",
+    {"__eq", bound<equal_values<Vector>>, "v == w -> boolean", "Whether all components are equal.",
      "vec(1, 2, 3) == vec(1, 2, 3) --> true"},
     {"__len", bound<size_vec>, "#v -> number", "3.", "#vec(1, 2, 3) --> 3"},
     {"__tostring", bound<text_of>, "tostring(v) -> string",

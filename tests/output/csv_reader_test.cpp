@@ -102,6 +102,7 @@ TEST_CASE("CSV in: what is no table is said, with the line") {
   refuses("a,b\n1,2\n3\n", "line 3: expected 2 fields, as the header has, got 1");
   refuses("a,b\n1,2,\n", "line 2: expected 2 fields, as the header has, got 3");
   refuses("a,b\n1,2\n\n3,4\n", "line 3: expected 2 fields, as the header has, got 1");
+  refuses("a,b\r1,2\r", "line 1: expected lines that end in LF or CRLF, got a CR alone");
   refuses("a\n\"1\n\n2\n", "line 2: a quote that is not closed");
   refuses("a\n\"1\"\"", "line 2: a quote that is not closed");
   refuses("a\n\"", "line 2: a quote that is not closed");
@@ -112,6 +113,41 @@ TEST_CASE("CSV in: what is no table is said, with the line") {
   CHECK_THROWS_AS(read_csv("/dev/zero"), std::invalid_argument);
   CHECK_THROWS_WITH(read_csv("/no/such.csv"), "/no/such.csv: No such file or directory");
   CHECK_THROWS_WITH(read_csv("/"), "/: Is a directory");
+}
+
+TEST_CASE("CSV in: another separator, and a header that seems to have one") {
+  CHECK(numbers(read_csv(File("a;b,c\n1;2\n").path(), {}, ';'), "b,c") == Numbers{2});
+  CHECK(words(read_csv(File("a\t\"b\"\n\"1\t2\"\t3\n").path(), {}, '\t'), "a") == Words{"1\t2"});
+  const auto message = [](const File& file, char separator) -> std::string {
+    try {
+      read_csv(file.path(), {}, separator);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const File semicolons("time;x;y\n1,5;2;3\n");
+  CHECK(message(semicolons, ',') ==
+        semicolons.error("line 1: one column, 'time;x;y': separated by ';'? give separator = "
+                         "\";\""));
+  CHECK(message(semicolons, '\t') == message(semicolons, ','));
+  CHECK(message(semicolons, ';').empty());
+  CHECK(message(File("t\tx\n0\t1\n"), ',')
+            .ends_with("'t\tx': separated by '\\t'? give separator = "
+                       "\"\\t\""));
+  CHECK(message(File("t,x\n0,1\n"), ';').ends_with("give separator = \",\""));
+  CHECK(message(File("\"a;b\"\n1\n"), ',').empty());
+  for (const char bad : {'"', '\n', '\r'})
+    CHECK(message(semicolons, bad) == "separator: expected no quote and no line end");
+}
+
+TEST_CASE("CSV: a column whose name has a separator in it reads back") {
+  Directory here;
+  for (const char* name : {"a;b", "a\tb", "a,b"}) {
+    const std::vector<CsvColumn> columns = {{name, Numbers{1}}};
+    write_csv(here.path / "data.csv", columns);
+    CHECK(numbers(read_csv(here.path / "data.csv"), name) == Numbers{1});
+  }
 }
 
 TEST_CASE("CSV in: an observer stops the reading") {

@@ -147,3 +147,17 @@ TEST_CASE("A table and a plot have what is asked") {
   const std::vector<std::string> angle = {"angle"};
   CHECK(plot(run, times, StateColumns(angle)).find("angle_rad") != std::string::npos);
 }
+
+TEST_CASE("The curve of an Euler angle is broken where it wraps") {
+  Scene scene{.omega = AngularVelocity(Vector(0, 0, 1))};
+  scene.t1 = 6;
+  const Run run = evolve(scene, Rotation({0, 0, 1}, 0));
+  const std::vector<double> times = times_in(0, 6, 601);
+  // A straight line but for the wrap: no steep part, which is what | stands for, beside the axis.
+  const auto bars = [&](const char* name) {
+    const std::vector<std::string> names = {name};
+    const std::string text = plot(run, times, StateColumns(names));
+    return std::count(text.begin(), text.end(), '|') - std::count(text.begin(), text.end(), '\n');
+  };
+  CHECK(bars("euler_zyx_1") == bars("angle"));
+}

@@ -64,8 +64,31 @@ TEST_CASE("table: numbers lose the digits that do not fit, and keep six") {
       "1   0.333333   0.666667\n"
       "2  12.0       -0.5\n";
   CHECK(number_table({"a", "b"}, rows, 17, true, 23) == seven);
-  CHECK(number_table({"a", "b"}, rows, 17, true, 1) == seven);
   CHECK(number_table({"a"}, {}, 17, true) == "i  a\n-  -\n");
+}
+
+TEST_CASE("table: columns that do not fit stand in blocks below, each with the first column") {
+  const std::vector<std::vector<double>> rows{{0, 1.0 / 3, 2.0 / 3, 7}, {0.5, 12, -0.5, 7}};
+  // With 6 digits t, a and b take 3 + 2 + 9 + 2 + 9 = 25 and make two blocks. With 9 (two before
+  // the point or a sign and a digit, the point, nine behind it) these take 17 and 17 + 2 + 3 = 22.
+  CHECK(number_table({"t", "a", "b", "c"}, rows, 17, false, 22) ==
+        "  t             a\n"
+        "---  ------------\n"
+        "0.0   0.333333333\n"
+        "0.5  12.0\n"
+        "\n"
+        "  t             b    c\n"
+        "---  ------------  ---\n"
+        "0.0   0.666666667  7.0\n"
+        "0.5  -0.5          7.0\n");
+  // What is too wide stands beside the first column alone, with 6 digits.
+  CHECK(number_table({"a", "b"}, {}, 17, true, 1) ==
+        "i  a\n"
+        "-  -\n"
+        "\n"
+        "i  b\n"
+        "-  -\n");
+  CHECK(number_table({"a"}, rows, 17, false, 1) == number_table({"a"}, rows, 17));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "elements.hpp"
+#include "refusal.hpp"
 #include "rotation/quaternion.hpp"
 
 using namespace rotor;
@@ -11,23 +12,6 @@ namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 const double kInf = std::numeric_limits<double>::infinity();
-
-// The message of the std::invalid_argument that `call` throws.
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "(accepted)";
-}
-
-void refused(const std::function<void()>& call, const std::vector<std::string>& words) {
-  const std::string message = refusal(call);
-  CAPTURE(message);
-  CHECK(message != "(accepted)");
-  for (const std::string& word : words) CHECK(message.find(word) != std::string::npos);
-}
 
 }  // namespace
 

@@ -1,9 +1,8 @@
 // Rigid motions fitted to points, the rigidity of configurations, and the mean of rotations.
 #include "rotation/fit.hpp"
 
-#include <functional>
-
 #include "elements.hpp"
+#include "refusal.hpp"
 #include "rotation/quaternion.hpp"
 #include "rotation/random.hpp"
 
@@ -43,15 +42,6 @@ double squares(const Points& X, const Points& x, const std::vector<double>& weig
   for (std::size_t i = 0; i < X.size(); ++i)
     sum += weights[i] * (x[i] - (r * X[i] + c)).squaredNorm();
   return sum;
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "(accepted)";
 }
 
 }  // namespace
@@ -226,6 +216,38 @@ TEST_CASE("mirrored and flat sets: the best proper rotation") {
   const RigidFit across = fit_rigid(box, times(box, {-1, 1, 1}));
   within(operator_error(across.rotation, Rotation({0, 1, 0}, kPi)), 4e-16);
   CHECK(across.rms == Approx(2).epsilon(1e-15));
+  CHECK(fit.mirrored);
+  CHECK(across.mirrored);
+}
+
+TEST_CASE("a fit says that the points are mirrored, whatever their noise") {
+  Draw draw(641);
+  for (const double noise : {0.0, 1e-12, 1e-3, 0.1}) {
+    CAPTURE(noise);
+    const Points X = cloud(draw, 8, {3, 2, 1});
+    Points x = moved(X, draw.rotation(), {5, 0, 0});
+    for (Vector& p : x) p += noise * draw.vector();
+    CHECK_FALSE(fit_rigid(X, x).mirrored);
+    CHECK(fit_rigid(X, times(x, {1, 1, -1})).mirrored);
+  }
+  // Noise alone turns a flat set over as often as not, and a reflection fits that hardly better.
+  for (int i = 0; i < 50; ++i) {
+    const Points X = cloud(draw, 8, {1, 1, 0});
+    Points x = moved(X, draw.rotation(), {0, 0, 0});
+    for (Vector& p : x) p += 1e-3 * draw.vector();
+    CHECK_FALSE(fit_rigid(X, x).mirrored);
+    CHECK_FALSE(fit_rigid(times(X, {1, 1, -1}), x).mirrored);
+  }
+  // A plate whose bumps changed: a reflection leads there no more than a motion does.
+  const Points plate = cloud(draw, 30, {1, 1, 1e-6}), bumpy = cloud(draw, 30, {0, 0, 1e-6});
+  Points other = plate;
+  for (std::size_t i = 0; i < plate.size(); ++i) other[i].z() = bumpy[i].z();
+  for (const double side : {1.0, -1.0}) {
+    CHECK(is_rigid(plate, times(other, {1, 1, side})).message.starts_with("all distances agree"));
+  }
+  const Rigidity bad = is_rigid(kTetrahedron, times(kTetrahedron, {1.01, 1, -1}));
+  CHECK(bad.message.find("nearer") + bad.message.find("farther") != std::string::npos);
+  CHECK(bad.message.ends_with("and it is mirrored"));
 }
 
 TEST_CASE("without translation: the attitude from pairs of vectors") {
@@ -278,6 +300,12 @@ TEST_CASE("rigid configurations, and what is wrong with others") {
   const Points stretched = times({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {1.25, 1, 1});
   CHECK(is_rigid({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, stretched).message ==
         "points 1 and 2 are farther apart by 0.156 of the body's size");
+}
+
+TEST_CASE("the search for a pair can be stopped") {
+  const Points two = {Vector(0, 0, 0), Vector(1, 0, 0)};
+  CHECK_THROWS_AS(is_rigid(two, two, 1e-9, [] { throw std::bad_function_call(); }),
+                  std::bad_function_call);
 }
 
 TEST_CASE("mirrored bodies keep all distances and are not rigid; flat ones can be turned over") {

@@ -2,9 +2,8 @@
 // rates.csv and jacobians.csv, and the laws that join them.
 #include "rotation/kinematics.hpp"
 
-#include <functional>
-
 #include "elements.hpp"
+#include "refusal.hpp"
 
 using namespace rotor;
 using namespace rotor::reference;
@@ -13,21 +12,6 @@ namespace {
 
 const Extended kU = std::ldexp(1.0L, -64);
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "(accepted)";
-}
-
-void refused(const std::function<void()>& call, const std::vector<std::string>& words) {
-  const std::string message = refusal(call);
-  CAPTURE(message);
-  for (const std::string& word : words) CHECK(message.find(word) != std::string::npos);
-}
 
 // The part of v perpendicular to the axis, rounded once.
 Vector perpendicular(const Rotation& r, const Vector& v) {
@@ -196,6 +180,8 @@ TEST_CASE("the inverse Jacobian is refused at full turns, and finite beside them
     }
   }
   CHECK(left_jacobian_inverse({0, 0, 0}) == Matrix::Identity());
+  CHECK(left_jacobian_inverse({0, 0, 1e16}).allFinite());
+  refused([] { left_jacobian_inverse({1e300, 0, 1e300}); }, {"at most 1e+16", "1e+300"});
   CHECK(left_jacobian({0, 0, 0}) == Matrix::Identity());
 }
 

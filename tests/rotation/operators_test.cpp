@@ -1,10 +1,9 @@
 // Operators: what a rotation's is made of, how it is recognised, and the ways back from it.
 #include "rotation/operators.hpp"
 
-#include <functional>
-
 #include "elements.hpp"
 #include "exact.hpp"
+#include "refusal.hpp"
 #include "rotation/extended.hpp"
 
 using namespace rotor;
@@ -30,15 +29,6 @@ Extended operator_error(const Rotation& r, const RealMatrix& q) {
     difference(i / 3, i % 3) -= Real(entry.hi) + Real(entry.lo);
   }
   return Extended(Real(sqrt(difference.squaredNorm() / 2)));
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "(accepted)";
 }
 
 std::vector<Rotation> cube_rotations() {

@@ -5,6 +5,7 @@
 
 #include "elements.hpp"
 #include "exact.hpp"
+#include "refusal.hpp"
 
 using namespace rotor;
 using namespace rotor::reference;
@@ -41,15 +42,6 @@ Quaternion draw_quaternion(Draw& draw, double size) {
 
 Quaternion scaled(const Quaternion& q, double x) {
   return Quaternion(Eigen::Vector4d(q.coeffs() * x));
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "(accepted)";
 }
 
 }  // namespace

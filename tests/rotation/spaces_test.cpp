@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <functional>
 #include <numeric>
 
 #include "elements.hpp"
+#include "refusal.hpp"
 
 using namespace rotor;
 using namespace rotor::reference;
@@ -66,15 +66,6 @@ Rational dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   Rational sum = 0;
   for (Eigen::Index i = 0; i < a.size(); ++i) sum += Rational(a[i]) * Rational(b[i]);
   return sum;
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "(accepted)";
 }
 
 }  // namespace

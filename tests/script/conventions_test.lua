@@ -132,5 +132,17 @@ local _, breaks = page:gsub("\n", "")
 equal(breaks + 1 <= 48, true, "two screens")
 equal(support.printed(_G.conventions), page .. "\n")
 contains(require("rotor.help").text "conventions", page)
-contains(require("rotor.help").text "intrinsic", "conventions()")
+contains(require("rotor.help").text "intrinsic", "conventions(library)")
 contains(require("rotor.reference").markdown(), page)
+
+-- One library's part, in any case, and the error that lists them.
+equal(support.printed(_G.conventions, "basilisk"), page:match "(Basilisk: .*)$" .. "\n")
+equal(support.printed(_G.conventions, "SciPy"), page:match "(SciPy: .-)Eigen: ")
+for given, shown in pairs { foo = '"foo"', [3] = "a number" } do
+  local _, raised = pcall(_G.conventions, given)
+  contains(raised, 'the library is one of "SciPy", "Eigen", "MATLAB", "ROS", "Basilisk", got ' .. shown)
+end
+theorem("units", function()
+  local measured = vec(rotation.from_euler_angles("zyx", 30*deg, 20*deg, 10*deg):euler_angles("zyx"))/deg
+  near({ 30, 20, 10 }, measured, 1e-13, "degrees")  -- some roundings of numbers up to 30, 3.6e-15 each
+end)

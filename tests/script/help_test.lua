@@ -26,6 +26,10 @@ equal(names.suggest("x", { "y" }), nil, "one letter is no hint")
 equal(names.suggest("bat", { "cat", "bar" }), "bar", "a tie")
 equal(names.suggest("slerp", { "slerp" }), nil, "the name itself is not misspelt")
 equal(names.suggest("", { "x" }), nil)
+equal(names.suggest("euler", { "outer", "from_euler", "euler_vector", "euler_angles" }), "euler_angles", "goes on")
+equal(names.suggest("from_Euler", { "from_polar", "from_euler_angles" }), "from_euler_angles")
+equal(names.suggest("euler", { "outer", "from_euler" }), "from_euler", "four letters inside before two slips")
+equal(names.suggest("ro", { "rotate" }), nil, "two letters go on in too many ways")
 
 -- parameters
 local function shown_parameters(signature)
@@ -63,6 +67,8 @@ equal(help.text "R:inverse", inverse, "through a global variable")
 equal(help.text "S:inverse", inverse, "through a name that is nothing yet")
 equal(help.text "rotation:inverse", inverse, "through the type")
 equal(help.text "inverse", inverse, "without an owner")
+equal(help.text "R:inverse() -> rotation", inverse, "as it is printed")
+contains(help.text "w", "Type vec, made by R * v, vec", "a letter that stands for a type")
 contains(help.text "rotation.from_mrp", "rotation.from_mrp(p) -> rotation")
 contains(help.text "run:csv", "run:csv(file, {n=, every=, times=})")
 contains(help.text "run.cost.steps", "cost.steps -> number", "along result types")
@@ -123,15 +129,21 @@ rawset(_G, "run", nil)
 local of_spin = help.text "spin"
 equal(of_variable("spin", { constant = print }), of_spin, "a library of rotor is not the user's")
 equal(help.text "table":match "^%C+", "run:table(what)", "a library of Lua is not the user's")
+equal(of_variable("w", 3), "A number of your own: 3", "a letter that is the user's")
 equal(of_variable("zz", 3), "A number of your own: 3", "a name of the user's alone")
 
 -- Unknown names.
-contains(help.text "sler", "Did you mean slerp?")
+contains(help.text "slrep", "Did you mean slerp?")
 contains(help.text "R:invers", "A rotation has no invers. Did you mean inverse?")
 contains(help.text "run:cvs", "Did you mean csv?")
 contains(help.text "modified Rodr", "rotation.from_mrp", "words of the summary")
-contains(help.text "t", "more", "a word that is everywhere")
+contains(help.text "the", "more", "a word that is everywhere")
 contains(help.text "%", "There is no name %.", "no pattern")
+equal(help.text "of the parameters modified", [[
+of the parameters modified is found in
+  rotation.from_mrp(p) -> rotation
+    From modified Rodrigues parameters.]], "all words in any order")
+contains(help.text "modified qqqqqq", "Nothing has all of modified qqqqqq. Nearest:\n  rotation.from_mrp")
 for _, word in ipairs { "interpolate", "Interpolation", "blend" } do  -- they stand in no summary
   contains(help.text(word), "R:slerp(S, s", word)
   contains(help.text(word), "slerp(R, S, s", word)
@@ -212,6 +224,36 @@ if support.rotor then
     save = "run:csv(", export = "run:csv(", draw = "run:plot(", ["angle between"] = "R:distance(" } do
     contains(fresh.text(word), name, word)
   end
+  for word, first in pairs { ["cross product"] = "cross(", ["shadow set"] = "R.shadow_mrp",
+    ["scalar last"] = 'conventions("Eigen")', ["rotation matrix"] = "rotation.from_matrix(",
+    ["three axes"] = "R:angles_about(", ["n dimensions"] = "cross(", ["generalized cross product"] = "cross(",
+    ["random attitudes"] = "rotation.random(", ["omega body"] = "C.omega", ["vector observations"] = "fit_rigid(",
+    ["jacobian of exp"] = "rotation.left_jacobian(", ["csv columns"] = "read_csv(", ["euler angle rates"] = "C:rates(",
+    quat2dcm = 'conventions("MATLAB")  quat2dcm(q) is R:inverse().matrix', as_rotvec = 'conventions("SciPy")',
+    MRP2C = 'conventions("Basilisk")', sigma = 'conventions("Basilisk")', basilisk = 'conventions("Basilisk")',
+    wahba = "fit_rigid(", triad = "fit_rigid(", quest = "fit_rigid(", markers = "R:rotate(", gyro = "read_csv(",
+    CRP = "rotation.from_gibbs(", eigenaxis = "rotation(axis", ["3-2-1"] = "rotation.from_euler_angles(",
+    expmap = "rotation.from_euler_vector(", slew = "slerp(", align = "fit_rigid(", semicolon = "read_csv(",
+    ["interpolate spline"] = "rotation.spline(", DCM = "rotation.from_matrix(" } do
+    contains(fresh.text(word):sub(1, 200), word .. " is found in " .. first, word)
+    fits(fresh.text(word))
+  end
+  for word, more in pairs { jacobian = "rotation.left_jacobian, rotation.right_jacobian", csv = "read_csv, write_csv",
+    exp = "quaternion:exp" } do
+    contains(fresh.text(word), "See also " .. more, word)
+  end
+  contains(fresh.text "C:rates(omega) -> table":match "^%C+", "C:rates(omega) -> table")
+  contains(fresh.text "C.omega":match "^%C+", "C.omega -> vec")
+  contains(fresh.text "v[i]":match "^%C+", "v[i] -> number")
+  for letter, kind in pairs { R = "rotation", S = "rotation", C = "chain", q = "quaternion", m = "matrix",
+    n = "matrix", v = "vec", fit = "rigid_fit" } do
+    local own = rawget(_G, letter)
+    rawset(_G, letter, nil)
+    contains(fresh.text(letter):match "^%C+", "Type " .. kind .. ", made by", letter)
+    rawset(_G, letter, own)
+  end
+  contains(fresh.text "R:euler", "Did you mean euler_angles?")
+  contains(overview, "?rotation from_euler_angles euler_angles")
   local full_names = {}
   for _, row in ipairs(support.rotor) do
     full_names[(row.owner == "" or row.kind == "operator") and row.name

@@ -26,6 +26,14 @@ precision(17)
 fits(printed(function() evolve{ omega = { 1, 2, 3 }, to = 1 }:table { "angle", "axis" } end))
 equal(printed(rotation.table, {}, { columns = "angle" }), "i  angle_rad\n-  ---------\n")
 
+fits(printed(rotation.table, list, { columns = { "euler_zyx", "mrp", "matrix" } }))
+fits(printed(function() evolve{ omega = { 1, 2, 3 }, to = 1 }:table { "matrix", "omega" } end))
+local timed = printed(rotation.table, { list[1], list[2] }, { columns = "mrp_z", times = { 0, 0.5 } })
+equal(timed:match "^ *t  +mrp_z\n" ~= nil, true)
+equal(timed, printed(rotation.table, { list[1], list[2] }, { columns = { "t", "mrp_z" }, times = { 0, 0.5 } }))
+
+contains(refused(rotation.table, list, { times = { 1 } }), "times: expected one for each of the 12 rotations, got 1")
+contains(refused(rotation.table, list, { columns = "t" }), "unknown column 't'; there are angle, axis,")
 contains(refused(rotation.table, list, { columns = "axes" }), "unknown column 'axes'; did you mean 'axis'?")
 contains(refused(rotation.table, list, { columns = "omega" }), "unknown column 'omega'; there are angle, axis,")
 contains(refused(rotation.table, list, { columns = 3 }), "columns: expected a name or a list of names, got number 3")
@@ -53,6 +61,12 @@ contains(refused(rotation.read_csv, file, { columns = { "quaternion_w" } }), "sa
 contains(refused(rotation.csv, "", list), "the file name is empty")
 contains(refused(rotation.csv, file, list, { columns = { "axis", "axis_x" } }), "two columns have the name 'axis_x'")
 contains(refused(rotation.csv, "/dev/full", list), "/dev/full: No space left on device")
+printed(rotation.csv, file, { list[1], list[2] }, { times = { 0.5, 1/3 } })
+equal(io.lines(file)(), "t,angle_rad,axis_x,axis_y,axis_z")
+equal(read_csv(file).t[2], 1/3)
+equal(rotation.read_csv(file)[2].angle, list[2].angle)
+printed(rotation.csv, file, { list[1] }, { columns = { "angle", "t" }, times = { 1 } })
+equal(io.lines(file)(), "angle_rad,t")
 printed(rotation.csv, file, {})
 equal(#rotation.read_csv(file), 0)
 os.remove(file .. ".json")
@@ -95,6 +109,21 @@ contains(refused(write_csv, file, { p = { vec(1, 2, 3) }, p_x = { 1 } }), "two c
 contains(refused(write_csv, "/dev/full", { t = { 1 } }), "No space left on device")
 contains(refused(read_csv, file .. ".none"), "No such file or directory")
 contains(refused(read_csv), "argument 1: expected a string, got nothing")
-contains(refused(read_csv, file, 1), "one argument too many")
+contains(refused(read_csv, file, {}, 1), "one argument too many")
+contains(refused(read_csv, file, { separator = ";;" }), 'separator: expected one character, as ";", got ";;"')
+contains(refused(read_csv, file, { separator = "" }), 'got ""')
 equal(#read_csv(file).t, 0, "what fails leaves the file as it is")
+
+-- Other separators.
+local out <close> = assert(io.open(file, "w"))
+out:write "time;q0;q1;q2;q3\n0;1;0;0;0\n"
+out:flush()
+for _, read in ipairs { read_csv, rotation.read_csv } do
+  contains(refused(read, file), [[line 1: one column, 'time;q0;q1;q2;q3': separated by ';'? give separator = ";"]])
+end
+equal(read_csv(file, { separator = ";" }).q0[1], 1.0)
+contains(refused(rotation.read_csv, file, { separator = ";" }),
+  '; name them, the scalar first: {face = "quaternion", columns = {"q0", "q1", "q2", "q3"}}')
+local named = { separator = ";", face = "quaternion", columns = { "q0", "q1", "q2", "q3" } }
+equal(rotation.read_csv(file, named)[1].angle, 0.0)
 os.remove(file)

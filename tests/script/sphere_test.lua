@@ -32,7 +32,13 @@ local picture = support.printed(draw_sphere, { width = 41, from = { 5, 0, 0 },
   points = { xx = { 2, 0, 0 }, yy = { 0, 1, 0 }, zz = vec(0, 0, 1e-300), down = { 0, 0, -1 }, back = { -1, 0, 1 } } })
 fits(picture)
 check_place(picture, "o xx", 11, 21)
-check_place(picture, "yy o", 11, 38, "no room to the right: to the left")
+check_place(picture, "o yy", 11, 41, "a name may stand outside")
+local crowded = support.printed(draw_sphere, { width = 41, from = { 1, 0, 0 },
+  points = { o = { 1, 0, 0 }, same = { 1, 1e-9, 0 }, beside = { 1, 0.05, 0 }, right = { 1, 0.11, 0 } } })
+fits(crowded)
+check_place(crowded, "o,same o", 11, 14, "points in one place share a line")
+check_place(crowded, "o right", 11, 23)
+check_place(crowded, "beside at line 11, column 22", 24, 1, "a name without a place is told below")
 check_place(picture, "o zz", 1, 21)
 check_place(picture, "o down", 21, 21)
 -- (-1, 0, 1)/sqrt(2) lies behind, 7.07 lines above the centre.
@@ -64,7 +70,7 @@ equal(front, 11, "over the pole, behind what is in front")
 equal(behind, 0)
 front = marks { { { 1, 0, 0 }, { 1, 0, 0 } } }
 equal(front, 1, "an arc from a point to itself")
-equal(select(2, support.printed(draw_sphere, {}):gsub("\n", "")), 31, "60 columns: 29 lines and two of the legend")
+equal(select(2, support.printed(draw_sphere, {}):gsub("\n", "")), 21, "40 columns: 19 lines and two of the legend")
 
 -- A script's own globals do not reach into the library.
 local saved = unit
