@@ -175,9 +175,8 @@ constexpr Entry kMethods[] = {
      "The Euler angles a, b, c for a sequence such as \"zyx\" (see rotation.from_euler_angles), in "
      "(-pi, pi]. Of the two solutions the first (default) has b in [0, pi] where the outer letters "
      "agree, else in [-pi/2, pi/2]. Where that ends (gimbal lock) only a + c or a - c is "
-     "determined: then c = 0, and a line on stderr says so, unless singular = \"silent\". In "
-     "degrees: vec(R:euler_angles(\"zyx\"))/deg.",
-     "select(3, rotation({1, 0, 0}, 0.5):euler_angles(\"zyx\")) --> 0.5"},
+     "determined: then c = 0, and a line on stderr says so, unless singular = \"silent\".",
+     "vec(rotation({0, 0, 1}, 90*deg):euler_angles(\"zyx\"))/deg --> vec(90.0, 0.0, 0.0)"},
     {"angles_about", bound<angles_about_axes>, kAnglesAbout,
      "All {a, b, c} with R = Q(a1, a) Q(a2, b) Q(a3, c), in (-pi, pi], smaller |b| first; without "
      "a3 all {a, b} with R = Q(a1, a) Q(a2, b). Axes of any length but zero. If R is out of reach "

@@ -41,7 +41,8 @@ theorem("angles_about: two axes, three axes, and options behind either", functio
   near({ 0.3, 0.4 }, R:angles_about(z, y, nil, silent)[1], 2e-15, "with a nil")
   near({ 0.3, 0.4, 0 }, R:angles_about(z, y, { 1, 0, 0 }, silent)[1], 2e-15, "three axes")
   near(2, #R:angles_about(z, y, x), 0, "solutions")
-  fails(function() rotation(y, pi/2):angles_about(x, x + y, z) end, "out of reach", "R takes axis 3 to .* these axes reach")
+  fails(function() rotation(y, pi/2):angles_about(x, x + y, z) end, "out of reach",
+    "R takes axis 3 to .* these axes reach")
   fails(function() R:angles_about(x) end, "one axis", "argument 2: expected a vec")
   fails(function() R:angles_about(x, vec(0, 0, 0), z) end, "a zero axis", "axis 2: the zero vector")
   fails(function() R:angles_about(x, y, 3) end, "a number", "argument 3: expected a vec")
