@@ -81,6 +81,7 @@ local function parameters(row)
     local mark = parameter.options and i > 1 and "?" or ""
     lines[i] = ("---@param %s%s %s\n"):format(parameter.name, mark,
       parameter.options and options_type(parameter.options) or "any")
+    if parameter.name == "..." then break end  -- "a1, ..., an" is "a1, ..."
   end
   return table.concat(list, ", "), table.concat(lines)
 end

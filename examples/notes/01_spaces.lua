@@ -60,6 +60,17 @@ end)
 theorem("Orientation", function()
   near(1, orientation({ 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }), 0, "the standard basis")
   near(-1, orientation({ 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 1 }), 0, "e1 and e2 interchanged")
+  -- Two bases have the same orientation iff the determinant of [ai . bj] is positive.
+  local same = true
+  for _ = 1, 100 do
+    local a, b, products = random_list(4), random_list(4), {}
+    for i = 1, 4 do
+      products[i] = {}
+      for j = 1, 4 do products[i][j] = dot(a[i], b[j]) end
+    end
+    same = same and (det(products) > 0) == (orientation(table.unpack(a)) == orientation(table.unpack(b)))
+  end
+  holds(same, "det [ai . bj] > 0 iff they are the same: 100 pairs")
   fails(function() return orientation({ 1, 2 }, { 2, 4 }) end, "dependent vectors have none", "dependent")
 end)
 

@@ -1,5 +1,5 @@
 -- From rotation operators to rotations: one rotation for each operator (section 3 of the notes on rotation), and the
--- five errors in the program printed there.
+-- errors in the program printed there.
 
 local function sign(x) return x > 0 and 1 or x < 0 and -1 or 0 end
 local function printed_index(i) return i % 3 end
@@ -53,6 +53,10 @@ theorem("Close to 0 and to pi acos loses half the digits, or all", function()
   near(1e-9, rotation.from_matrix(rotation(n, 1e-9).matrix).angle, 1e-24, "rotor at 1e-9")
   local _, by_acos = printed_with_sin_theta(rotation(n, 1e-9).matrix)
   near(0, by_acos, 0, "by acos: 0")
+  local almost = rotation(n, pi - 1e-9)
+  near(almost.angle, rotation.from_matrix(almost.matrix).angle, 1.5e-15, "rotor 1e-9 short of pi")
+  _, by_acos = printed_with_sin_theta(almost.matrix)
+  holds(abs(by_acos - almost.angle) > 1e-10, "acos is off there, too")
 end)
 
 theorem("theta = 0 and theta = pi: the rule that makes it one rotation", function()
@@ -69,6 +73,8 @@ theorem("The program as printed, where theta = pi", function()
   end
   near(vec(0, 0, 0), printed(diagonal, right_index), 0, "right index: sign(0) makes the axis 0")
   near(unit { 0, 1, 1 }, rotation.from_matrix(diagonal).axis, 2e-16, "rotor's axis")
+  local function last_test(u) return u[1] == 0 and u[1] < 0 end
+  holds(not last_test { -1, 0, 0 }, "its last test is never true: -e1 would stay -e1")
   local almost = rotation({ 1, 0, 0 }, pi - 0.75e-10)
   local axis, angle = printed(almost.matrix, right_index)
   near(pi, angle, 0, "0.75e-10 short of pi: pi")

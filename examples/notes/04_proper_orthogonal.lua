@@ -39,7 +39,22 @@ theorem("Every proper orthogonal operator is a rotation operator", function()
   fails(function() return rotation.from_matrix(-Q) end, "a reflection is none", "a reflection")
 end)
 
--- (14): Q (u2 - i u3) = e^(i theta) (u2 - i u3), with (u1, u2, u3) right-handed.
+-- (11) has the labels of sin phi and cos phi interchanged, and with them the parity of n: phi + theta = n pi.
+theorem("(11) and (14) as printed", function()
+  local u1, u2, u3 = orthonormal_basis(R.axis)
+  local theta = math.atan(dot(u2, Q*u3), dot(u2, Q*u2))  -- cos theta = Q22, sin theta = Q23
+  local phi = math.atan(dot(u3, Q*u2), dot(u3, Q*u3))    -- sin phi = Q32, cos phi = Q33
+  near(0, (theta + phi)/pi, 4e-16, "of a proper Q, n is even, not odd")
+  local first = outer(u1, u1) + cos(theta)*(outer(u2, u2) - outer(u3, u3))
+    + sin(theta)*(outer(u2, u3) + outer(u3, u2))
+  near(-1, det(first), 1e-15, "(11) with n = 0 is improper")
+  near(Q, outer(u1, u1) + cos(theta)*(outer(u2, u2) + outer(u3, u3)) + sin(theta)*(outer(u2, u3) - outer(u3, u2)),
+    1e-15, "(12) is right: theta = -1")
+  near(-sin(theta)*u2 - cos(theta)*u3, -(Q*u3), 1e-15, "but of (12) u2 - i u3 has e^(-i theta)")
+  holds(norm(sin(theta)*u2 - cos(theta)*u3 + Q*u3) > 1, "and not e^(i theta) as (14) says")
+end)
+
+-- (14) belongs to the theta of (6): Q (u2 - i u3) = e^(i theta) (u2 - i u3), with (u1, u2, u3) right-handed.
 theorem("(14): eigenvalues and eigenvectors", function()
   local u1, u2, u3 = orthonormal_basis(R.axis)
   near(cos(1)*u2 + sin(1)*u3, Q*u2, 4e-16, "the real part of (14)")

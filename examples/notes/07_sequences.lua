@@ -108,3 +108,20 @@ theorem("Euler angles: rates, angular velocity, and where that fails", function(
   fails(function() locked:rates(cross(locked.axes[1], locked.axes[2])) end, "about its normal nothing turns",
     "out of reach")
 end)
+
+theorem("Euler angles: twelve sequences, two solutions each, and gimbal lock", function()
+  local worst, count = 0, 0
+  for sequence in ("xyz xzy yxz yzx zxy zyx xyx xzx yxy yzy zxz zyz"):gmatch "%a+" do
+    for _, R in ipairs(rotation.random(7, 100)) do
+      for solution = 1, 2 do
+        local again = rotation.from_euler_angles(sequence, R:euler_angles(sequence, { solution = solution }))
+        worst, count = math.max(worst, R:distance(again)), count + 1
+      end
+    end
+  end
+  near(0, worst, 4e-15, count .. " times there and back")
+  local R = rotation.from_euler_angles("zyx", 0.7, pi/2, 0.4)
+  local a, b, c = R:euler_angles("zyx", { singular = "silent" })
+  near({ 0.3, pi/2, 0 }, { a, b, c }, 4e-15, "locked: a - c alone counts")
+  near(R, rotation.from_euler_angles("zyx", a, b, c), 4e-15, "and makes R")
+end)

@@ -19,6 +19,11 @@ theorem("Rotations that differ by a turn are different, their operators are not"
   -- Each entry of a matrix is off by 1e-15 at most, the angle 1 + 2 pi by half an ulp, 4.4e-16.
   near(R.matrix, S.matrix, 2e-15, "one matrix")
   near(1 + 2*pi, norm(S.euler_vector), 1e-15, "theta u keeps the turn")
+  local all = true
+  for k = -3, 3 do
+    all = all and R:same_operator(rotation(n, 1 + 2*pi*k), 4e-15) and R:same_operator(rotation(-n, 2*pi*k - 1), 4e-15)
+  end
+  holds(all, "(7): (u, theta + 2 pi k), (-u, -theta + 2 pi k)")
   holds(rotation(n, 1) ~= rotation(-n, -1), "(u, theta), (-u, -theta): two pairs,")
   near(R.euler_vector, rotation(-n, -1).euler_vector, 0, "one vector theta u")
 end)
@@ -43,6 +48,14 @@ theorem("A path through the boundary comes in again at the antipode", function()
   near(2*pi - 0.02, norm(out.euler_vector - back.euler_vector), 4e-15, "a jump through the ball,")
   near(-unit(out.euler_vector), unit(back.euler_vector), 3e-16, "to the opposite side,")
   near(0.02, out:distance(back), 2e-15, "of operators 0.02 apart")
+end)
+
+theorem("A list of quaternions of operators, made continuous, counts the turns again", function()
+  local list = {}
+  for i = 0, 40 do list[i + 1] = rotation(n, 0.1 + pi*i/10):canonical().quaternion end
+  local last = continuous_quaternions(list)[41]
+  near(rotation(n, 0.1 + 4*pi).quaternion, last, 1e-15, "after two turns")
+  near(-rotation(n, 0.1 + 2*pi).quaternion, continuous_quaternions(list)[1], 1e-15, "and one: the opposite")
 end)
 
 theorem("The belt: one turn is not undone, two turns are", function()

@@ -71,6 +71,9 @@ theorem("the inverse: one rotation as a sequence of two about chosen axes", func
   local solution = triangle.rotation:angles_about(q, p)[1]
   near(phi, solution[1], tolerance, "phi, about q")
   near(theta, solution[2], tolerance, "theta, about p")
+  -- Two axes reach a rotation iff it takes p to where a turn about q can: q . T p = q . p.
+  fails(function() return triangle.rotation:angles_about(q, cross(p, q)) end, "other axes do not reach it",
+    "out of reach")
 end)
 
 theorem("p and q parallel or opposite: no triangle, and the angles add", function()

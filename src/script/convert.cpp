@@ -75,6 +75,14 @@ std::string did_you_mean(lua_State* L, const std::string& word, int index) {
 
 std::string metatable_key(const char* type) { return std::string("rotor.") + type; }
 
+void require_list(lua_State* L, int index, lua_Unsigned size) {
+  index = lua_absindex(L, index);
+  const StackGuard guard(L);
+  lua_pushnil(L);
+  if (size > 0 || lua_next(L, index) == 0) return;
+  throw Mismatch("expected a list, got a table with the key " + describe(L, -2));
+}
+
 Vector Convert<Vector>::get(lua_State* L, int index) {
   if (const Vector* v = test_user_value<Vector>(L, index)) return *v;
   return numbers_of_table<3>(L, lua_absindex(L, index), "a vec or {x, y, z}");

@@ -173,12 +173,16 @@ struct Convert<std::optional<T>> {
   }
 };
 
+/// A table of named values is no empty list: throws Mismatch.
+void require_list(lua_State* L, int index, lua_Unsigned size);
+
 /// A list {a, b, ...}.
 template <class T>
 struct Convert<std::vector<T>> {
   static std::vector<T> get(lua_State* L, int index) {
     if (!lua_istable(L, index)) throw Mismatch(L, index, "a list");
     const auto size = lua_rawlen(L, index);
+    require_list(L, index, size);
     std::vector<T> list;
     list.reserve(size);
     for (lua_Unsigned i = 1; i <= size; ++i) {

@@ -75,9 +75,9 @@ std::string text_of_fit(const RigidFit& fit) {
   std::string text = "rigid_fit  rms " + shown(fit.rms);
   if (fit.mirrored) text += "  mirrored: a reflection fits better";
   if (!fit.unique) {
-    text += "\n  not unique   points on a line leave the turn about it free";
+    text += "\n  not unique   some turn is left free (points on a line, coincident, ...)";
     if (!fit.translation.isZero(0)) {
-      text += "\n               are they directions? then say translation = false";
+      text += "\n               if these are directions, say translation = false";
     }
   }
   return text + "\n  rotation     " +

@@ -32,7 +32,7 @@ RotationColumns rotation_columns(lua_State* L, const Options& options, bool time
 char separator_option(const Options& options) {
   const std::string separator = options.get<std::string>("separator").value_or(",");
   if (separator.size() != 1)
-    throw std::invalid_argument("separator: expected one character, as \";\", got \"" + separator +
+    throw std::invalid_argument(R"(separator: expected one character, as ";", got ")" + separator +
                                 "\"");
   return separator[0];
 }
@@ -90,6 +90,8 @@ Results read_columns(lua_State* L) {
         column.values);
     lua_rawset(L, -3);
   }
+  push_module(L, "rotor.csv_columns");
+  lua_setmetatable(L, -2);
   return {1};
 }
 
@@ -114,6 +116,7 @@ void add_components(lua_State* L, int index, const std::string& name, const char
   const auto list = Convert<std::vector<T>>::get(L, index);
   for (int i = 0; components[i] != '\0'; ++i) {
     std::vector<double> values;
+    values.reserve(list.size());
     for (const T& value : list) values.push_back(get(value, i));
     columns.push_back({name + "_" + components[i], std::move(values)});
   }
@@ -170,14 +173,16 @@ constexpr Entry kFunctions[] = {
      "The columns of a CSV file with a header row, by name: data.t[1], data[\"angle_rad\"][1]. A "
      "column is a list of numbers where each field is one (nan, inf, -inf; an empty field is nan), "
      "else a list of strings. separator: one character, as \";\" or \"\\t\" "
-     "(default \",\"). A decimal comma is not read.",
+     "(default \",\"). A decimal comma is not read. data.p is the list of vecs (quaternions) of "
+     "the "
+     "columns p_x, p_y, p_z (and p_w).",
      "data = read_csv \"log.csv\""},
     {"write_csv", bound<write_columns>, kWrite,
      "Writes columns of one length as CSV: data is a table of lists by name, of numbers, strings, "
      "vecs (columns name_x, name_y, name_z) or quaternions. columns: which, in which order "
      "(default: all, by the alphabet). The numbers read back as the same; strings that look like "
      "numbers read back as numbers.",
-     "write_csv(\"/dev/null\", {t = {0, 1}, x = {0.5, 0.25}}, {columns = {\"t\", \"x\"}}) --> "},
+     R"(write_csv("/dev/null", {t = {0, 1}, x = {0.5, 0.25}}, {columns = {"t", "x"}}) --> )"},
 };
 
 constexpr Entry kStatics[] = {

@@ -125,7 +125,8 @@ constexpr Entry kFunctions[] = {
      "Rodrigues' construction of S * R: R first, about p by theta, then S about q by phi. The "
      "great "
      "circle through p and q, turned about p by -theta/2 and about q by +phi/2, makes two that "
-     "meet at the axis r of the product; half its angle is between them.",
+     "meet at the axis r of the product; half its angle is between them. The way back, for axes q "
+     "and p: T:angles_about(q, p) gives {phi, theta}.",
      ROTOR_TRIANGLE ".angle --> 3.141592653589793"},
 };
 

@@ -102,7 +102,16 @@ Results box_product(lua_State* L) {
 }
 
 // The determinant of an operator is the box product of the rows of its matrix.
-double determinant_of(const std::vector<Eigen::VectorXd>& rows) { return box(rows); }
+double determinant_of(const std::vector<Eigen::VectorXd>& rows) {
+  for (const Eigen::VectorXd& row : rows) {
+    if (row.size() != static_cast<Eigen::Index>(rows.size())) {
+      throw std::invalid_argument("expected an n x n matrix, n from 2 to 8, got " +
+                                  std::to_string(rows.size()) + " rows, one of " +
+                                  std::to_string(row.size()) + " numbers");
+    }
+  }
+  return box(rows);
+}
 
 Results orientation_of(lua_State* L) {
   lua_pushinteger(L, orientation(any_vectors(L)));
@@ -123,13 +132,13 @@ constexpr Entry kFunctions[] = {
     {"dot", bound<dot>, "dot(a, b) -> number",
      "Scalar product of two vectors, or of two lists of n numbers.",
      "dot({1, 2, 3}, {4, 5, 6}) --> 32.0"},
-    {"cross", bound<cross_product>, "cross(a, b) -> vec",
+    {"cross", bound<cross_product>, "cross(a2, ..., an) -> vec",
      "Vector product of two vectors [N1]. Of n - 1 lists of n numbers, n from 2 to 8: the list "
      "that "
      "is perpendicular to all of them. Exact (then rounded once) for integers whose product of "
      "lengths is below 1e37.",
      "cross({1, 0, 0}, {0, 1, 0}) --> vec(0.0, 0.0, 1.0)"},
-    {"box", bound<box_product>, "box(a, b, c) -> number",
+    {"box", bound<box_product>, "box(a1, ..., an) -> number",
      "Box product a . cross(b, c), the signed volume [N2]; of n lists of n numbers, n from 2 to 8. "
      "Exact (then rounded once) for integers whose product of lengths is below 1e37.",
      "box({1, 2, 3}, {4, 5, 6}, {7, 8, 10}) --> -3.0"},
@@ -137,7 +146,7 @@ constexpr Entry kFunctions[] = {
      "Determinant of the operator with the matrix T [N3]: n rows of n numbers, n from 2 to 8. "
      "Exact (then rounded once) for integers whose product of lengths is below 1e37.",
      "det({{1, 2}, {3, 4}}) --> -2.0"},
-    {"orientation", bound<orientation_of>, "orientation(a, b, c) -> number",
+    {"orientation", bound<orientation_of>, "orientation(a1, ..., an) -> number",
      "1 if the basis is right-handed, -1 if it is left-handed; of n lists of n numbers, n from 2 "
      "to "
      "8. Vectors that are dependent, or too nearly so to tell, are an error.",

@@ -72,6 +72,19 @@ TEST_CASE("an error goes to stderr with prefix, place and traceback, and ends wi
   check("rotor -e 'error(\"first\")' -e 'print(2)' 2>/dev/null | grep -c 2", "0\n", 1);
 }
 
+TEST_CASE("a singular factoring is told on stderr, in one line, unless it is to be silent") {
+  const std::string locked = "R = rotation({0, 1, 0}, pi/2) ";
+  const std::string told = "only a - c is determined, c = 0 is taken\n";
+  check("rotor -e '" + locked + "print(#{R:euler_angles \"zyx\"})'",
+        "rotor: (command line):1: euler_angles: singular: " + told + "3\n");
+  check("rotor -e '" + locked + "print(#R:angles_about({0, 0, 1}, {0, 1, 0}, {1, 0, 0}))'",
+        "rotor: (command line):1: angles_about: singular: " + told + "1\n");
+  check("rotor -e '" + locked + R"(R:euler_angles("zyx", {singular = "silent"})')", "");
+  check("rotor -e '" + locked +
+            R"(R:angles_about({0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {singular = "silent"})')",
+        "");
+}
+
 TEST_CASE("option -l requires a module into a global") {
   const TemporaryDirectory directory;
   directory.write("my_module.lua", "print('loaded as', ...) return {answer = 42}");

@@ -127,3 +127,18 @@ contains(refused(rotation.read_csv, file, { separator = ";" }),
 local named = { separator = ";", face = "quaternion", columns = { "q0", "q1", "q2", "q3" } }
 equal(rotation.read_csv(file, named)[1].angle, 0.0)
 os.remove(file)
+
+theorem("read_csv gives back the vecs and quaternions that write_csv wrote", function()
+  local name = os.tmpname()
+  local points, spins = { vec(1, 2, 3), vec(-0.5, 0, 1e-300) }, { quaternion(1, 2, 3, 4), quaternion(0, 0, 0, 1) }
+  local words = { "a", "b" }
+  write_csv(name, { t = { 0, 1 }, p = points, q = spins, word_x = words, word_y = words, word_z = words })
+  local read = read_csv(name)
+  os.remove(name)
+  holds(#read.p == 2 and read.p[1] == points[1] and read.p[2] == points[2], "vecs")
+  holds(#read.q == 2 and read.q[1] == spins[1] and read.q[2] == spins[2], "quaternions")
+  holds(read.p_x[2] == -0.5 and read.none == nil and read.t_x == nil and read[1] == nil, "columns and what is none")
+  holds(read.word == nil, "no vecs of words")
+  near(vec(2, 1, -3), rotation({ 1, 1, 0 }, pi):rotate(read.p)[1], 2e-15, "points of a file, turned")
+  fails(function() return rotation.identity:rotate(read) end, "the columns are no list", "got a table with the key")
+end)
