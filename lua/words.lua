@@ -17,6 +17,7 @@ return {
   ["rotation.mrp"] = "convert conversion sigma",
   ["rotation.nearest"] = "orthogonalise orthogonalize",
   ["rotation:inverse"] = "inversion transpose undo",
+  ["rotation:canonical"] = "antipodal antipode unique principal",
   ["rotation:distance"] = "difference attitude error principal angle",
   ["rotation:same_operator"] = "equal compare",
   ["rotation:slerp"] = "interpolate interpolation blend slew",

@@ -299,7 +299,7 @@ TEST_CASE("refused: what no spline goes through") {
 
 TEST_CASE("a spline through uneven times, where Newton's method needs help") {
   // From the linear equations in one go it fails for the first eight of these seeds.
-  for (const std::uint64_t seed : {93, 97, 167, 253, 281, 332, 339, 414, 1, 2}) {
+  for (const std::uint64_t seed : {93U, 97U, 167U, 253U, 281U, 332U, 339U, 414U, 1U, 2U}) {
     CAPTURE(seed);
     const std::vector<double> times = {0, 1, 11, 12, 22, 23, 33};
     const Spline spline(times, random_rotations(seed, times.size()));
