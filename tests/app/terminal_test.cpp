@@ -133,7 +133,9 @@ TEST_CASE("a coroutine that slept through an interrupt works on") {
   expect(rotor, kPrompt);
   rotor.type_line(
       "sleeper = coroutine.wrap(function() while true do coroutine.yield('up') end end)");
-  start(rotor, "sleeper() while true do end");
+  expect(rotor, kPrompt);
+  rotor.type_line("first = sleeper()");  // before "running": it must not be the one interrupted
+  start(rotor, "while true do end");
   rotor.type(kCtrlC);
   expect(rotor, "interrupted\r\n");
   expect(rotor, kPrompt);
