@@ -83,6 +83,12 @@ void require_list(lua_State* L, int index, lua_Unsigned size) {
   throw Mismatch("expected a list, got a table with the key " + describe(L, -2));
 }
 
+bool is_vector(lua_State* L, int index) {
+  if (test_user_value<Vector>(L, index) != nullptr) return true;
+  const StackGuard guard(L);
+  return lua_istable(L, index) && lua_rawgeti(L, index, 1) == LUA_TNUMBER;
+}
+
 Vector Convert<Vector>::get(lua_State* L, int index) {
   if (const Vector* v = test_user_value<Vector>(L, index)) return *v;
   return numbers_of_table<3>(L, lua_absindex(L, index), "a vec or {x, y, z}");

@@ -127,6 +127,9 @@ struct Convert<Vector> : ConvertUser<Vector> {
   static Vector get(lua_State* L, int index);
 };
 
+/// Whether it is a vec or a list of numbers: not of rows or points.
+bool is_vector(lua_State* L, int index);
+
 /// quaternion or {w, x, y, z}.
 template <>
 struct Convert<Quaternion> : ConvertUser<Quaternion> {

@@ -19,13 +19,6 @@ Matrix negative_matrix(const Matrix& m, const Matrix&) { return -m; }
 Matrix transpose(const Matrix& m) { return m.transpose(); }
 double trace(const Matrix& m) { return static_cast<double>(m.cast<Extended>().trace()); }
 
-// A vec or a list of numbers, not of rows.
-bool is_vector(lua_State* L, int index) {
-  if (test_user_value<Vector>(L, index) != nullptr) return true;
-  const StackGuard guard(L);
-  return lua_istable(L, index) && lua_rawgeti(L, index, 1) == LUA_TNUMBER;
-}
-
 Results multiply_matrix(lua_State* L) {
   if (lua_type(L, 1) == LUA_TNUMBER) {
     Convert<Matrix>::push(L, lua_tonumber(L, 1) * argument<Matrix>(L, 2));

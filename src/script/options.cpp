@@ -63,4 +63,14 @@ bool Options::has(const char* key) const {
   return lua_getfield(L_, index_, key) != LUA_TNIL;
 }
 
+bool Options::is_second(const char* key, const std::string& first,
+                        const std::string& second) const {
+  const std::string given = get<std::string>(key).value_or(first);
+  if (given != first && given != second) {
+    throw std::invalid_argument(std::string(key) + ": expected \"" + first + "\" or \"" + second +
+                                "\", got \"" + given + "\"");
+  }
+  return given == second;
+}
+
 }  // namespace rotor::script

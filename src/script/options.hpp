@@ -29,6 +29,8 @@ class Options {
       throw std::invalid_argument(std::string(key) + ": " + mismatch.what());
     }
   }
+  /// Whether the option is the second of two words; the first is the default.
+  bool is_second(const char* key, const std::string& first, const std::string& second) const;
   /// Pushes the option (nil where it is not given).
   void push(const char* key) const { lua_getfield(L_, index_, key); }
 

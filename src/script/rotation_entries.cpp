@@ -41,8 +41,7 @@ Results multiply(lua_State* L) {
   const Rotation& second = argument<Rotation>(L, 1);
   if (const Rotation* first = test_user_value<Rotation>(L, 2)) {
     Convert<Rotation>::push(L, second * *first);
-  } else if (test_user_value<Vector>(L, 2) != nullptr ||
-             (lua_istable(L, 2) && lua_rawgeti(L, 2, 1) == LUA_TNUMBER)) {
+  } else if (is_vector(L, 2)) {
     Convert<Vector>::push(L, second * argument<Vector>(L, 2));
   } else {
     throw std::invalid_argument("expected a rotation or a vector on the right, got " +
@@ -73,11 +72,8 @@ Results slerp_at(lua_State* L) {
   const Rotation& s = argument<Rotation>(L, 2);
   const double fraction = argument<double>(L, 3);
   const Options options(L, 4, kSlerp);
-  const std::string way = options.get<std::string>("way").value_or("short");
-  if (way != "short" && way != "long") {
-    throw std::invalid_argument(R"(way: expected "short" or "long", got ")" + way + "\"");
-  }
-  Convert<Rotation>::push(L, slerp(r, s, fraction, way == "short" ? Way::kShort : Way::kLong));
+  const Way way = options.is_second("way", "short", "long") ? Way::kLong : Way::kShort;
+  Convert<Rotation>::push(L, slerp(r, s, fraction, way));
   return {1};
 }
 

@@ -13,24 +13,13 @@
 namespace rotor::script {
 namespace {
 
-// The option `key`, one of two words; the first is the default.
-bool is_second(const Options& options, const char* key, const std::string& first,
-               const std::string& second) {
-  const std::string given = options.get<std::string>(key).value_or(first);
-  if (given != first && given != second) {
-    throw std::invalid_argument(std::string(key) + ": expected \"" + first + "\" or \"" + second +
-                                "\", got \"" + given + "\"");
-  }
-  return given == second;
-}
-
 Frame frame_of(const Options& options) {
-  return is_second(options, "frame", "body", "space") ? Frame::kSpace : Frame::kBody;
+  return options.is_second("frame", "body", "space") ? Frame::kSpace : Frame::kBody;
 }
 
 // One line on stderr for a singular factoring: "script.lua:3: euler_angles: singular: ...".
 void warn_if_singular(lua_State* L, const Factoring& factoring, const Options& options) {
-  if (is_second(options, "singular", "warn", "silent") || factoring.singular.empty()) return;
+  if (options.is_second("singular", "warn", "silent") || factoring.singular.empty()) return;
   push_error_message(L, ("singular: " + factoring.singular).c_str());
   std::fprintf(stderr, "rotor: %s\n", lua_tostring(L, -1));
   std::fflush(stderr);

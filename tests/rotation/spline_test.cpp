@@ -310,7 +310,9 @@ TEST_CASE("a spline through uneven times, where Newton's method needs help") {
       const Vector after = spline.acceleration(times[i]);
       within(norm(before - after), 100 * 7e-15 * (1 + norm(after)));
     }
+    // Newton's method stops at rates changed by 2^-52 of all of them, less than 10 together; over
+    // segments of length 1 that is four times as much of acceleration.
     within(norm(spline.acceleration(0)), 1e-14);
-    within(norm(spline.acceleration(33)), 1e-12);
+    within(norm(spline.acceleration(33)), 1e-14);
   }
 }
