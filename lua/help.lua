@@ -17,8 +17,8 @@ help.topics = {
   { "Vectors", "vec dot cross norm unit box orientation orthonormal_basis" },
   { "Matrices", "matrix det outer skew axial proper_orthogonal permutation_sign" },
   { "Motion", "evolve angular_velocity rotation_rates spin tradeoff" },
-  { "Data", "read_csv write_csv continuous_quaternions fit_rigid is_rigid" },
-  { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs" },
+  { "Data", "read_csv write_csv plot continuous_quaternions fit_rigid is_rigid" },
+  { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs floor ceil" },
   { "Testing", "theorem near holds fails" },
   { "Terminal", "help conventions precision draw_sphere" },
 }

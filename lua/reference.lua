@@ -47,10 +47,11 @@ end
 
 -- The stub ------------------------------------------------------------------------------------------------------------
 
-local kOperators = { ["+"] = "add", ["-"] = "sub", ["*"] = "mul", ["/"] = "div", ["^"] = "pow" }
+local kOperators = { ["+"] = "add", ["-"] = "sub", ["*"] = "mul", ["/"] = "div", ["^"] = "pow", ["%"] = "mod",
+  ["//"] = "idiv" }
 local kUnary = { ["-"] = "unm", ["#"] = "len" }
 local kOperands = { R = "rotation", S = "rotation", v = "vec", w = "vec", q = "quaternion", m = "matrix", n = "matrix",
-  s = "number", x = "number" }
+  s = "number", x = "number", y = "jet|number" }
 
 local function comment(summary)
   return summary and summary ~= "" and "---" .. summary:gsub("\n", "\n---") .. "\n" or ""

@@ -46,16 +46,25 @@ class DenseOutput {
   const std::vector<double>& mesh() const { return mesh_; }
   std::size_t pieces() const { return mesh_.size() - 1; }
 
-  /// The value at t within the mesh; needs at least one piece.
-  Value at(double t) const {
+  /// The piece that holds t; needs at least one.
+  std::size_t piece_at(double t) const {
     const bool rising = mesh_.back() >= mesh_.front();
     const auto next =
         std::upper_bound(mesh_.begin() + 1, mesh_.end() - 1, t,
                          [rising](double a, double b) { return rising ? a < b : a > b; });
-    const auto piece = static_cast<std::size_t>(next - mesh_.begin() - 1);
-    const double x = (t - mesh_[piece]) / (mesh_[piece + 1] - mesh_[piece]);
+    return static_cast<std::size_t>(next - mesh_.begin() - 1);
+  }
+  /// The value of a piece at the fraction x of its way, and its derivative by x.
+  PieceValue<Value> at(std::size_t piece, double x) const {
     const Value* y0 = &data_[piece * (terms_ + 1)];
-    return evaluate_piece(*y0, y0 + 1, terms_, x).value;
+    return evaluate_piece(*y0, y0 + 1, terms_, x);
+  }
+  double length(std::size_t piece) const { return mesh_[piece + 1] - mesh_[piece]; }
+  double fraction(std::size_t piece, double t) const { return (t - mesh_[piece]) / length(piece); }
+  /// The value at t within the mesh; needs at least one piece.
+  Value at(double t) const {
+    const std::size_t piece = piece_at(t);
+    return at(piece, fraction(piece, t)).value;
   }
 
  private:

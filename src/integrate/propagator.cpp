@@ -1,20 +1,20 @@
 #include "integrate/propagator.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
-#include "integrate/dop853.hpp"
-#include "integrate/equation.hpp"
-#include "integrate/rk4.hpp"
+#include "integrate/exact.hpp"
+#include "integrate/fgl.hpp"
+#include "integrate/runge_kutta.hpp"
 #include "rotation/text.hpp"
+#include "spin/models.hpp"
 
 namespace rotor {
 namespace {
-
-const Eigen::Vector4d kIdentity(0, 0, 0, 1);
 
 struct Plan {
   Method method;
@@ -35,18 +35,43 @@ void check(const Scene& scene) {
   require(scene.max_steps > 0, "max_steps must be positive, got 0");
   require(!scene.step || (*scene.step > 0 && std::isfinite(*scene.step)),
           "step must be positive, got " + text(scene.step.value_or(0)));
+  for (const double t : scene.breaks) {
+    require(std::isfinite(t), "breaks must be finite, got " + text(t));
+  }
+}
+
+// Whether there is a cheaper model than integrating, and what it is called; "" if not.
+std::string exact_model(const AngularVelocity& omega) {
+  if (omega.as<ConstantSpin>() != nullptr) return "constant omega, Theorem 4.1";
+  if (omega.as<TurningSpin>() != nullptr) return "omega constant in a uniformly turning frame";
+  if (omega.as<AlongSpin>() != nullptr) return "omega of fixed direction: one integral, Lemma 4.2";
+  if (omega.as<PeriodicSpin>() != nullptr) return "periodic omega: one period, then Floquet";
+  if (omega.as<PiecewiseSpin>() != nullptr) return "omega in pieces, each by its cheapest method";
+  return "";
 }
 
 Plan plan(const Scene& scene) {
-  const bool constant = scene.omega.constant() != nullptr;
+  const bool linear = scene.equation == Equation::kQuaternion;
+  const std::string model = linear ? exact_model(scene.omega) : "";
   switch (scene.method) {
     case Method::kAuto:
       require(!scene.step, "step is for method = \"rk4\"; the other methods take accuracy");
-      return constant ? Plan{Method::kExact, "constant omega, Theorem 4.1"}
-                      : Plan{Method::kDop853, "omega is a function of t"};
+      if (!linear)
+        return {Method::kDop853, "of the methods that follow this equation the adaptive one"};
+      if (!model.empty()) return {Method::kExact, model};
+      return {Method::kFgl, scene.omega.dear() ? "omega is dear to call: two levels"
+                                               : "omega is cheap to call: one level"};
     case Method::kExact:
-      require(constant, "method \"exact\" needs a constant omega");
-      return {Method::kExact, "constant omega, Theorem 4.1"};
+      require(linear, "method \"exact\" follows the quaternion only");
+      require(!model.empty(),
+              "method \"exact\" needs an omega whose model is known: constant, turning, along, "
+              "periodic or piecewise, not " +
+                  scene.omega.description());
+      return {Method::kExact, model};
+    case Method::kFgl:
+      require(linear, "method \"fgl\" follows the quaternion only");
+      require(!scene.step, "method \"fgl\" takes accuracy, not step");
+      return {Method::kFgl, "asked for"};
     case Method::kRk4:
       require(scene.step.has_value(), "method \"rk4\" needs step");
       return {Method::kRk4, "asked for"};
@@ -57,89 +82,76 @@ Plan plan(const Scene& scene) {
   return {};
 }
 
-FixedTurn fixed_turn(const Vector& omega, double t0) {
-  const auto rate = omega.cast<Extended>().norm();
-  return {rate == 0 ? Vector::UnitX() : unit(omega), rate, t0};
+// Those of omega and those of the scene within the interval, rising, each once.
+std::vector<double> breaks_of(const Scene& scene) {
+  const auto [low, high] = std::minmax({scene.t0, scene.t1});
+  std::vector<double> breaks = scene.omega.breaks(low, high);
+  for (const double t : scene.breaks) {
+    if (low < t && t < high) breaks.push_back(t);
+  }
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  return breaks;
 }
 
-void exact(const Scene& scene, Propagator& result) {
-  const FixedTurn turn = fixed_turn(*scene.omega.constant(), scene.t0);
-  const auto angle = static_cast<double>(std::abs(turn.angle(scene.t1)));
-  require(std::isfinite(angle), "omega (t1 - t0) is too large to be an angle");
+void follow_constant(const Scene& scene, const Vector& omega, Propagator& result) {
+  const double sign = scene.omega.frame() == Frame::kSpace ? 1 : -1;
+  const auto turn = std::make_shared<const UniformTurn>(sign * omega, scene.t0, scene.t1);
+  const auto angle = static_cast<double>(std::abs(turn->angle(scene.t1)));
   // The angle is good to 4 roundings of its extended value, direction and quaternion to double's.
   result.error_estimate =
       4 * static_cast<double>(std::numeric_limits<Extended>::epsilon()) * angle +
       4 * std::numeric_limits<double>::epsilon();
   result.t1 = scene.t1;
-  result.motion = turn;
+  result.flow = turn;
 }
 
-template <class Integrator>
-void run(Integrator integrator, const Scene& scene, const Observer& observer, Propagator& result) {
-  result.stop = integrate(integrator, scene.t0, scene.t1, scene.max_steps, observer, result.cost);
-  result.t1 = result.stop ? result.stop->t : scene.t1;
-  result.error_estimate = integrator.error_estimate();
-  result.motion = integrator.dense();
-}
-
-void rk4(const Scene& scene, const Observer& observer, Propagator& result) {
-  const double count =
-      std::max(2.0, std::ceil(std::abs(scene.t1 - scene.t0) / *scene.step * (1 - 1e-12)));
-  require(count <= static_cast<double>(scene.max_steps),
-          "step = " + text(*scene.step) +
-              " makes more than max_steps = " + std::to_string(scene.max_steps) + " steps");
-  run(Rk4<QuaternionEquation>(Sampler(scene.omega, result.cost), kIdentity, scene.t0, scene.t1,
-                              static_cast<std::size_t>(count)),
-      scene, observer, result);
-}
-
-void dop853(const Scene& scene, const Observer& observer, Propagator& result) {
-  result.accuracy = scene.accuracy;
-  const double longest =
-      std::max(std::abs(scene.t1 - scene.t0) / 32, std::numeric_limits<double>::denorm_min());
-  run(Dop853<QuaternionEquation>(Sampler(scene.omega, result.cost), kIdentity, scene.t0, scene.t1,
-                                 scene.accuracy, scene.max_step.value_or(longest)),
-      scene, observer, result);
+void follow_exactly(const Scene& scene, const Observer& observer, Propagator& result) {
+  if (const auto* constant = scene.omega.as<ConstantSpin>()) {
+    follow_constant(scene, constant->value(scene.t0), result);
+  } else if (const auto* turning = scene.omega.as<TurningSpin>()) {
+    follow_turning(scene, *turning, result);
+  } else if (const auto* along = scene.omega.as<AlongSpin>()) {
+    follow_along(scene, *along, breaks_of(scene), observer, result);
+  } else if (const auto* periodic = scene.omega.as<PeriodicSpin>()) {
+    follow_periodic(scene, *periodic, scene.breaks, observer, result);
+  } else {
+    follow_piecewise(scene, *scene.omega.as<PiecewiseSpin>(), scene.breaks, observer, result);
+  }
 }
 
 }  // namespace
 
-Quaternion Propagator::operator()(double t) const {
-  if (const FixedTurn* turn = fixed_turn()) {
-    const Extended half = turn->angle(t) / 2;
-    Quaternion q;
-    q.w() = static_cast<double>(std::cos(half));
-    q.vec() = turn->direction * static_cast<double>(std::sin(half));
-    return q;
-  }
-  const auto& dense = std::get<DenseOutput<Eigen::Vector4d>>(motion);
-  return Quaternion(dense.pieces() == 0 ? kIdentity : dense.at(t).normalized());
+Quaternion Propagator::operator()(double t, const Quaternion& q0) const {
+  if (t == t0) return q0;  // to the bit
+  const Quaternion u = flow->at(t);
+  return frame == Frame::kSpace ? u * q0 : q0 * u.conjugate();
 }
 
-std::vector<double> Propagator::mesh() const {
-  if (fixed_turn()) return {t0, t1};
-  return std::get<DenseOutput<Eigen::Vector4d>>(motion).mesh();
-}
-
-Propagator propagate(const Scene& scene, const Observer& observer) {
+Propagator propagate(const Scene& scene, const Observer& observer, const Rotation& from) {
   check(scene);
   const Plan chosen = plan(scene);
   const auto begin = std::chrono::steady_clock::now();
   Propagator result;
   result.t0 = scene.t0;
+  result.frame = scene.omega.frame();
   result.why = chosen.why;
   switch (chosen.method) {
     case Method::kRk4:
       result.method = "rk4";
-      rk4(scene, observer, result);
+      follow_by_rk4(scene, breaks_of(scene), from, observer, result);
       break;
     case Method::kDop853:
       result.method = "dop853";
-      dop853(scene, observer, result);
+      follow_by_dop853(scene, breaks_of(scene), from, observer, result);
+      break;
+    case Method::kFgl:
+      result.method = "fgl";
+      follow_by_fgl(scene, breaks_of(scene), observer, result);
       break;
     default:
       result.method = "exact";
-      exact(scene, result);
+      follow_exactly(scene, observer, result);
   }
   result.cost.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

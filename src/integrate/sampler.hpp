@@ -6,27 +6,56 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "integrate/loop.hpp"
 #include "spin/angular_velocity.hpp"
 
 namespace rotor {
 
+/// The generator of the motion: omega in the space frame, -omega in the body frame (Flow). Knows
+/// where omega jumps: a step must not reach over a break, and its ends there are taken as the
+/// limits from inside the step.
 class Sampler {
  public:
-  Sampler(const AngularVelocity& omega, Cost& cost) : omega_(omega), cost_(cost) {}
+  /// `breaks` rise.
+  Sampler(const AngularVelocity& omega, Cost& cost, std::vector<double> breaks = {})
+      : omega_(omega),
+        cost_(cost),
+        breaks_(std::move(breaks)),
+        sign_(omega.frame() == Frame::kSpace ? 1 : -1) {}
 
   Vector operator()(double t) {
     ++cost_.omega_calls;
-    return omega_(t);
+    last_ = t;
+    return sign_ * omega_(t);
+  }
+  /// The time of the last call.
+  double last() const { return last_; }
+  bool dear() const { return omega_.dear(); }
+
+  /// The first break on the way from t to t_next, which a step must not pass, else t_next.
+  double clip(double t, double t_next) const {
+    if (breaks_.empty() || t == t_next) return t_next;
+    if (t_next > t) {
+      const auto next = std::upper_bound(breaks_.begin(), breaks_.end(), t);
+      return next == breaks_.end() ? t_next : std::min(*next, t_next);
+    }
+    const auto after = std::lower_bound(breaks_.begin(), breaks_.end(), t);
+    return after == breaks_.begin() ? t_next : std::max(*std::prev(after), t_next);
   }
 
-  /// The value at the start of a step: kept from the end of the one before, or from a rejected try.
-  Vector at_node(double t) {
+  /// The value at one end of a step whose other end is `other`: kept from the step before, or from
+  /// a rejected try, unless t is a break.
+  Vector at_node(double t, double other) {
+    if (is_break(t)) return (*this)(std::nextafter(t, other));
     if (!has_node_ || node_ != t) set_node(t, (*this)(t));
     return value_;
   }
+  /// At the end of an accepted step: the value there, for the next one.
   void set_node(double t, const Vector& value) {
     node_ = t;
     value_ = value;
@@ -34,8 +63,13 @@ class Sampler {
   }
 
  private:
+  bool is_break(double t) const { return std::binary_search(breaks_.begin(), breaks_.end(), t); }
+
   const AngularVelocity& omega_;
   Cost& cost_;
+  std::vector<double> breaks_;
+  double sign_;
+  double last_ = 0;
   bool has_node_ = false;
   double node_ = 0;
   Vector value_ = Vector::Zero();

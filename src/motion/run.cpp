@@ -11,6 +11,7 @@
 #include "rotation/kinematics.hpp"
 #include "rotation/small_angle.hpp"
 #include "rotation/text.hpp"
+#include "spin/models.hpp"
 
 namespace rotor {
 namespace {
@@ -55,10 +56,11 @@ double minimise(const Function& f, double a, double b) {
 }  // namespace
 
 Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
-         const Observer& observer)
+         std::vector<Vector> points)
     : omega_(std::move(omega)),
       propagator_(std::move(propagator)),
       from_(from),
+      points_(std::move(points)),
       start_(from.quaternion()),
       axis_(from.axis()) {
   const double along_axis = start_.vec().dot(axis_);  // sin(theta/2)
@@ -66,60 +68,90 @@ Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
   const Extended psi = angle_in_turn(first_turn_, start_.w(), std::abs(along_axis));
   double_turns_ = std::nearbyint((from.angle() - psi) / (2 * kTwoPi));
 
-  if (const FixedTurn* turn = propagator_.fixed_turn()) {
+  const FixedAxisFlow* flow = propagator_.fixed_axis();
+  if (flow == nullptr) return;
+  const Vector direction = sense() * flow->direction();
+  if (const auto* constant = omega_.as<ConstantSpin>(); constant && constant->value(0).isZero(0)) {
+    fixed_axis_ = 1;
+  } else if (from_.angle() == 0) {
     // From the identity the body turns about omega, whatever axis it was given.
-    if (from_.angle() == 0 && turn->rate != 0) axis_ = turn->direction;
-    if (turn->rate == 0) {
-      fixed_axis_ = 1;
-    } else if (axis_.cross(turn->direction).norm() <= 2 * kEpsilon) {
-      fixed_axis_ = axis_.dot(turn->direction) > 0 ? 1 : -1;
-    }
-  } else {
-    find_crossings(observer);
+    fixed_axis_ = forward() * flow->rate(t0()) < 0 ? -1 : 1;
+    axis_ = (fixed_axis_ * direction).array() + 0.0;  // no -0
+  } else if (axis_.cross(direction).norm() <= 2 * kEpsilon) {
+    fixed_axis_ = axis_.dot(direction) > 0 ? 1 : -1;
   }
 }
 
 Extended Run::fixed_axis_angle(double t) const {
-  return from_.angle() + fixed_axis_ * propagator_.fixed_turn()->angle(t);
+  return from_.angle() + fixed_axis_ * propagator_.fixed_axis()->angle(t);
 }
 
-State Run::operator()(double t) const {
+Quaternion Run::quaternion(double t) const {
   const auto [low, high] = std::minmax({t0(), t1()});
   if (!(t >= low && t <= high)) {
     throw std::out_of_range("t = " + text(t) + " is outside the run, " + text(t0()) + " .. " +
                             text(t1()));
   }
+  return propagator_(t, start_);
+}
+
+State Run::attitude(double t) const {
   State state;
   state.t = t;
   state.quaternion = quaternion(t);
+  return state;
+}
+
+Vector Run::omega(double t) const {
+  const Vector omega = omega_(t);
+  return omega_.frame() == Frame::kSpace ? omega : quaternion(t) * omega;
+}
+
+Vector Run::body_omega(double t) const {
+  const Vector omega = omega_(t);
+  return omega_.frame() == Frame::kBody ? omega : quaternion(t).conjugate() * omega;
+}
+
+std::vector<Vector> Run::points(double t) const {
+  const Quaternion turn = quaternion(t) * start_.conjugate();
+  std::vector<Vector> places;
+  places.reserve(points_.size());
+  for (const Vector& point : points_) places.push_back(turn * point);
+  return places;
+}
+
+State Run::operator()(double t, const Observer& observer) const {
+  State state = attitude(t);
   if (fixed_axis_ != 0) {
     state.axis = axis_;
     state.angle = static_cast<double>(fixed_axis_angle(t));
     return state;
   }
-  const auto next = std::partition_point(
-      crossings_.begin(), crossings_.end(),
-      [&](const Crossing& crossing) { return (t - crossing.t) * forward() > 0; });
-  const double turn = next == crossings_.begin() ? first_turn_ : std::prev(next)->turn_after;
   if (t == t0() && from_.angle() != 0) {
     state.axis = from_.axis();
     state.angle = from_.angle();
     return state;
   }
-  state.axis = axis_at(t, state.quaternion, turn);
+  const std::vector<Crossing>& crossings = found(observer);
+  const auto next = std::partition_point(
+      crossings.begin(), crossings.end(),
+      [&](const Crossing& crossing) { return (t - crossing.t) * forward() > 0; });
+  const double turn = next == crossings.begin() ? first_turn_ : std::prev(next)->turn_after;
+  state.axis = axis_at(t, state.quaternion, turn, crossings);
   state.angle = static_cast<double>(
       double_turns_ * 2 * kTwoPi +
       angle_in_turn(turn, state.quaternion.w(), Extended{norm(state.quaternion.vec())}));
   return state;
 }
 
-Vector Run::axis_at(double t, const Quaternion& q, double turn) const {
+Vector Run::axis_at(double t, const Quaternion& q, double turn,
+                    const std::vector<Crossing>& crossings) const {
   const Vector m = q.vec();
   const double size = norm(m);
-  if (size <= propagator_.error_estimate && !crossings_.empty()) {
+  if (size <= propagator_.error_estimate && !crossings.empty()) {
     // Beside a zero of M its direction is lost in the error; the limit there is known.
     const auto nearest =
-        std::min_element(crossings_.begin(), crossings_.end(),
+        std::min_element(crossings.begin(), crossings.end(),
                          [t](auto& a, auto& b) { return std::abs(a.t - t) < std::abs(b.t - t); });
     // The start may be such a zero too: its M is as good as its distance in time.
     if (std::abs(nearest->t - t) <= std::abs(t0() - t)) return nearest->axis;
@@ -133,8 +165,8 @@ Vector Run::axis_at(double t, const Quaternion& q, double turn) const {
 // Zero where omega is zero or cannot be had: asking for a state must not fail on it.
 Vector Run::direction_of_omega(double t) const {
   try {
-    const Vector omega = omega_(t);
-    return omega.isZero(0) ? omega : unit(omega);
+    const Vector at_t = omega(t);
+    return at_t.isZero(0) ? at_t : unit(at_t);
   } catch (const std::exception&) {
     return Vector::Zero();
   }
@@ -178,15 +210,19 @@ Rates Run::rates(const State& state, const Vector& omega) const {
   return rates;
 }
 
-std::vector<Crossing> Run::crossings() const {
-  std::vector<Crossing> result = crossings_;
-  const auto turns = static_cast<double>(2 * double_turns_);
-  for (Crossing& crossing : result) {
-    crossing.turn_before += turns;
-    crossing.turn_after += turns;
+std::vector<Crossing> Run::crossings(const Observer& observer) const {
+  const auto* fixed = dynamic_cast<const UniformTurn*>(propagator_.fixed_axis());
+  if (fixed_axis_ == 0 || fixed == nullptr) {
+    std::vector<Crossing> result = found(observer);
+    const auto turns = static_cast<double>(2 * double_turns_);
+    for (Crossing& crossing : result) {
+      crossing.turn_before += turns;
+      crossing.turn_after += turns;
+    }
+    return result;
   }
-  const FixedTurn* fixed = propagator_.fixed_turn();
-  if (fixed_axis_ == 0 || fixed == nullptr || fixed->rate == 0) return result;
+  std::vector<Crossing> result;
+  if (fixed->rate() == 0) return result;
 
   // theta passes through every multiple of 2 pi between its ends.
   const Extended begin = fixed_axis_angle(t0()) / kTwoPi;
@@ -201,7 +237,7 @@ std::vector<Crossing> Run::crossings() const {
        k += up) {
     const auto turn = static_cast<double>(k);
     const double t =
-        static_cast<double>(t0() + (kTwoPi * k - from_.angle()) / (fixed_axis_ * fixed->rate));
+        static_cast<double>(t0() + (kTwoPi * k - from_.angle()) / (fixed_axis_ * fixed->rate()));
     result.push_back({t, true, up > 0 ? turn - 1 : turn, up > 0 ? turn : turn - 1, axis_});
   }
   return result;
@@ -216,28 +252,41 @@ bool Run::is_zero_of_m(const double (&t)[3], const double (&m)[3]) const {
   return m[1] <= propagator_.error_estimate + 2 * kEpsilon * std::abs(t[1]) * rate;
 }
 
-void Run::find_crossings(const Observer& observer) {
-  const std::vector<double> mesh = propagator_.mesh();
+const std::vector<Crossing>& Run::found(const Observer& observer) const {
+  if (!found_) found_ = may_cross() ? find_crossings(observer) : std::vector<Crossing>();
+  return *found_;
+}
+
+// M = 0 is where U q0, or q0 U*, is plus or minus 1. What is_zero_of_m takes for zero lies within
+// the distance, which allows for the error of the run and of the motion's own bound.
+bool Run::may_cross() const {
+  const Quaternion target = propagator_.frame == Frame::kSpace ? start_.conjugate() : start_;
+  return propagator_.flow->can_reach(target, 1e-6 + 2 * propagator_.error_estimate);
+}
+
+std::vector<Crossing> Run::find_crossings(const Observer& observer) const {
+  std::vector<Crossing> found;
+  std::vector<double> mesh;
+  try {
+    mesh = propagator_.flow->mesh();
+  } catch (const std::length_error& error) {
+    throw std::length_error(std::string(error.what()) +
+                            " for crossings, without which axis and angle are not known; the "
+                            "quaternion and the matrix are");
+  }
   const auto m = [this](double t) -> Vector { return quaternion(t).vec(); };
-  // Sample times: the mesh, eight times finer where |M| could vanish. Within a step the quaternion
-  // goes about as far as the chord of its ends; twice that allows for the curve.
+  // Sample times: the mesh, eight times finer, so that less than a radian lies between two.
   std::vector<std::pair<double, double>> samples;  // t, |M|
-  Quaternion before = quaternion(mesh.front());
-  samples.emplace_back(mesh.front(), before.vec().norm());
+  samples.reserve(8 * mesh.size());
+  samples.emplace_back(mesh.front(), m(mesh.front()).norm());
   // A run that was stopped keeps what was done: the observer has had its say.
   const bool watched = observer && !propagator_.stop;
   for (std::size_t i = 1; i < mesh.size(); ++i) {
     if (watched && !observer(mesh[i])) throw Interrupted();
-    const Quaternion after = quaternion(mesh[i]);
-    const double least = std::min(before.vec().norm(), after.vec().norm());
-    if (least <= 2 * (after.coeffs() - before.coeffs()).norm()) {
-      for (int part = 1; part < 8; ++part) {
-        const double t = mesh[i - 1] + (mesh[i] - mesh[i - 1]) * part / 8;
-        samples.emplace_back(t, m(t).norm());
-      }
+    for (int part = 1; part <= 8; ++part) {
+      const double t = part == 8 ? mesh[i] : mesh[i - 1] + (mesh[i] - mesh[i - 1]) * (part / 8.0);
+      if (t != samples.back().first) samples.emplace_back(t, m(t).norm());
     }
-    samples.emplace_back(mesh[i], after.vec().norm());
-    before = after;
   }
 
   double turn = first_turn_;
@@ -254,7 +303,7 @@ void Run::find_crossings(const Observer& observer) {
     const double step = !through ? 0 : sign_of_turn(turn) * quaternion(t).w() < 0 ? 1 : -1;
     const Vector axis = limit_of_axis(t, sign_of_turn(turn) * a.normalized(),
                                       sign_of_turn(turn + step) * b.normalized(), turn + step);
-    crossings_.push_back({t, through, turn, turn + step, axis});
+    found.push_back({t, through, turn, turn + step, axis});
     turn += step;
   };
   const std::size_t last = samples.size() - 1;
@@ -274,18 +323,20 @@ void Run::find_crossings(const Observer& observer) {
       }
     }
   }
+  return found;
 }
 
-void visit_states(const Run& run, std::span<const double> times, const Observer& observer,
-                  const std::function<void(const State&)>& visit) {
+void visit_times(std::span<const double> times, const Observer& observer,
+                 const std::function<void(double)>& visit) {
   for (const double t : times) {
     if (observer && !observer(t)) throw Interrupted();
-    visit(run(t));
+    visit(t);
   }
 }
 
-Run evolve(const Scene& scene, const Rotation& from, const Observer& observer) {
-  return {scene.omega, propagate(scene, observer), from, observer};
+Run evolve(const Scene& scene, const Rotation& from, const Observer& observer,
+           std::vector<Vector> points) {
+  return {scene.omega, propagate(scene, observer, from), from, std::move(points)};
 }
 
 }  // namespace rotor

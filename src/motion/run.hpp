@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,8 +16,8 @@ namespace rotor {
 /// Where the body is at t: axis and angle continuous in t, and the quaternion that goes with them.
 struct State {
   double t = 0;
-  double angle = 0;       // any real: turns are counted
-  Vector axis;            // unit
+  double angle = std::numeric_limits<double>::quiet_NaN();                   // turns are counted
+  Vector axis = Vector::Constant(std::numeric_limits<double>::quiet_NaN());  // unit
   Quaternion quaternion;  // (cos angle/2, axis sin angle/2), continuous
 
   /// The angle of a rotation is rounded to a double: after many turns that, not the run, is what
@@ -49,11 +51,14 @@ struct Crossing {
 };
 
 /// A motion: propagator and start.
+///
+/// Axis and angle need the crossings before them: these are looked for when axis, angle or
+/// crossings are first asked for, not before. The quaternion needs none of it.
 class Run {
  public:
-  /// Looks for the crossings; throws Interrupted where the observer says no meanwhile.
+  /// `points` are bodies' points, by their places at the start.
   Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
-      const Observer& observer = {});
+      std::vector<Vector> points = {});
 
   double t0() const { return propagator_.t0; }
   double t1() const { return propagator_.t1; }
@@ -61,26 +66,41 @@ class Run {
   const Propagator& propagator() const { return propagator_; }
   const AngularVelocity& driver() const { return omega_; }
   bool complete() const { return !propagator_.stop; }
-  /// In the order of the motion. About a fixed axis they are made on demand; throws
-  /// std::length_error where there are more than a million.
-  std::vector<Crossing> crossings() const;
+  /// In the order of the motion. About a fixed axis at a constant rate they are made on demand;
+  /// throws std::length_error where there are more than a million.
+  std::vector<Crossing> crossings(const Observer& observer = {}) const;
 
-  /// The state at t; throws std::out_of_range outside [t0, t1].
-  State operator()(double t) const;
-  /// How the state moves, given omega at its t. Where M is exactly zero the axis rate depends on
-  /// the derivatives of omega: NaN, except about a fixed axis.
+  /// A state whose axis and angle are not looked for, but NaN; throws std::out_of_range outside
+  /// [t0, t1].
+  State attitude(double t) const;
+  /// The state at t; throws std::out_of_range outside [t0, t1], std::length_error where the motion
+  /// is too long to be searched for crossings, Interrupted where the observer says no meanwhile.
+  State operator()(double t, const Observer& observer = {}) const;
+  /// How the state moves, given omega at its t, in the space frame. Where M is exactly zero the
+  /// axis rate depends on the derivatives of omega: NaN, except about a fixed axis.
   Rates rates(const State& state, const Vector& omega) const;
-  /// omega(t): a call of the script's function where it is one.
-  Vector omega(double t) const { return omega_(t); }
+  /// omega at t in the space frame: a call of the script's function where it is one.
+  Vector omega(double t) const;
+  /// The same in the body frame.
+  Vector body_omega(double t) const;
+  /// Where the points are at t [P1].
+  std::vector<Vector> points(double t) const;
+  /// The same motion from another start: nothing is integrated.
+  Run with_start(const Rotation& from) const { return {omega_, propagator_, from, points_}; }
 
  private:
-  Quaternion quaternion(double t) const { return propagator_(t) * start_; }
+  Quaternion quaternion(double t) const;
   double forward() const { return t1() >= t0() ? 1 : -1; }
+  // Of the propagator's fixed axis: U* turns the other way.
+  double sense() const { return propagator_.frame == Frame::kSpace ? 1 : -1; }
   // The angle about the fixed axis of the start, for a motion that has one; in extended precision.
   Extended fixed_axis_angle(double t) const;
-  void find_crossings(const Observer& observer);
+  const std::vector<Crossing>& found(const Observer& observer) const;
+  bool may_cross() const;
+  std::vector<Crossing> find_crossings(const Observer& observer) const;
   bool is_zero_of_m(const double (&t)[3], const double (&m)[3]) const;
-  Vector axis_at(double t, const Quaternion& q, double turn) const;
+  Vector axis_at(double t, const Quaternion& q, double turn,
+                 const std::vector<Crossing>& crossings) const;
   Vector limit_of_axis(double t, const Vector& before, const Vector& after,
                        double turn_after) const;
   Vector direction_of_omega(double t) const;
@@ -88,24 +108,25 @@ class Run {
   AngularVelocity omega_;
   Propagator propagator_;
   Rotation from_;
+  std::vector<Vector> points_;
   Quaternion start_;
   // theta = 4 pi double_turns_ + psi, where psi in (-2 pi, 2 pi) at the start and its interval
-  // 2 pi l <= psi <= 2 pi (l + 1) has l = first_turn_, changed by crossings_ (whose turns are those
-  // of psi).
+  // 2 pi l <= psi <= 2 pi (l + 1) has l = first_turn_, changed by found_ (whose turns are those of
+  // psi).
   Extended double_turns_ = 0;
   double first_turn_ = 0;
-  double fixed_axis_ =
-      0;         // +1 or -1: a turn about plus or minus the axis of the start; 0: no such thing
+  // +1 or -1: a turn about plus or minus the axis of the start; 0: no such thing.
+  double fixed_axis_ = 0;
   Vector axis_;  // the axis of the start; about a fixed axis, of the whole motion
-  std::vector<Crossing> crossings_;
+  mutable std::optional<std::vector<Crossing>> found_;
 };
 
-/// Calls `visit` with the states at the times; stops by throwing Interrupted where the observer
-/// says so.
-void visit_states(const Run& run, std::span<const double> times, const Observer& observer,
-                  const std::function<void(const State&)>& visit);
+/// Calls `visit` with each of the times; stops by throwing Interrupted where the observer says so.
+void visit_times(std::span<const double> times, const Observer& observer,
+                 const std::function<void(double)>& visit);
 
 /// Runs the scene from `from` to its end, or to where it stopped (propagator().stop).
-Run evolve(const Scene& scene, const Rotation& from, const Observer& observer = {});
+Run evolve(const Scene& scene, const Rotation& from, const Observer& observer = {},
+           std::vector<Vector> points = {});
 
 }  // namespace rotor

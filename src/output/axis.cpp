@@ -49,9 +49,17 @@ Step step_from(long double size) {
   return step;
 }
 
-std::vector<std::string> tick_labels(Step step, std::int64_t first, std::int64_t last) {
+std::vector<std::string> tick_labels(Step step, std::int64_t first, std::int64_t last,
+                                     Spacing spacing) {
   std::vector<std::string> plain;
   std::vector<std::string> powers;
+  if (spacing == Spacing::kLogarithmic) {
+    for (std::int64_t tick = first; tick <= last; ++tick) {
+      powers.push_back(
+          scientific("1", static_cast<int>(static_cast<long double>(tick) * step.size())));
+    }
+    return powers;
+  }
   for (std::int64_t tick = first; tick <= last; ++tick) {
     const std::string sign = tick < 0 ? "-" : "";
     const std::string digits = std::to_string(std::abs(tick) * step.digit);
@@ -62,7 +70,11 @@ std::vector<std::string> tick_labels(Step step, std::int64_t first, std::int64_t
   return longest(plain) <= std::max(kShort, longest(powers)) ? plain : powers;
 }
 
-Extent drawable(double low, double high) {
+Extent drawable(double low, double high, Spacing spacing) {
+  if (spacing == Spacing::kLogarithmic) {
+    const Extent decades{std::floor(low), std::ceil(high)};
+    return decades.low < decades.high ? decades : Extent{decades.low - 1, decades.high + 1};
+  }
   const long double size = std::max(std::abs(low), std::abs(high));
   const long double least = 16 * std::numeric_limits<double>::epsilon() * size;
   if (static_cast<long double>(high) - low > least) return {low, high};

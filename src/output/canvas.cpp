@@ -30,11 +30,14 @@ constexpr std::size_t kGap = 3;  // blanks between the names of the legend
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("plot: " + what); }
 
-void check_x(std::span<const double> x) {
+void check_x(std::span<const double> x, bool log) {
   const auto place = [&](auto point) { return "point " + std::to_string(point - x.begin() + 1); };
   const auto bad = std::find_if_not(x.begin(), x.end(), [](double t) { return std::isfinite(t); });
   if (bad != x.end()) refuse("x must be finite, " + place(bad) + " is " + text(*bad));
   if (x.empty()) return;
+  const auto low = std::min_element(x.begin(), x.end());
+  if (log && *low <= 0)
+    refuse("x must be positive on a logarithmic axis, " + place(low) + " is " + text(*low));
   const auto turn = x.front() <= x.back()
                         ? std::is_sorted_until(x.begin(), x.end())
                         : std::is_sorted_until(x.begin(), x.end(), std::greater<>());
@@ -54,7 +57,16 @@ void check_series(std::size_t size, std::span<const Series> series) {
              std::to_string(one.y.size()));
 }
 
-Extent extent_of(std::span<const Series> series) {
+/// The places along a logarithmic axis: nan for what has none.
+std::vector<double> logarithms(std::span<const double> values) {
+  std::vector<double> places(values.size());
+  std::transform(values.begin(), values.end(), places.begin(), [](double value) {
+    return value > 0 ? std::log10(value) : std::numeric_limits<double>::quiet_NaN();
+  });
+  return places;
+}
+
+Extent extent_of(std::span<const Series> series, Spacing spacing) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const Series& one : series) {
@@ -64,8 +76,10 @@ Extent extent_of(std::span<const Series> series) {
       high = std::max(high, y);
     }
   }
-  if (low > high) refuse("no finite value to draw");
-  return drawable(low, high);
+  if (low > high)
+    refuse(spacing == Spacing::kLinear ? "no finite value to draw"
+                                       : "no finite positive value to draw");
+  return drawable(low, high, spacing);
 }
 
 /// For each cell a set of bits: the series that pass it, or the thirds in which the only one does.
@@ -193,16 +207,12 @@ void rows_with_labels(Page& page, const Grid& grid, const VerticalScale& up, std
   }
 }
 
-}  // namespace
-
-std::string plot(std::span<const double> x, std::span<const Series> series,
-                 const PlotOptions& options) {
-  check_x(x);
-  check_series(x.size(), series);
-  if (options.height < kLeastHeight)
-    refuse("height must be at least " + std::to_string(kLeastHeight) + ", got " +
-           std::to_string(options.height));
-  const VerticalScale up = vertical_scale(extent_of(series), options.height);
+/// The picture of places along the axes.
+std::string drawn(std::span<const double> x, std::span<const Series> series,
+                  const PlotOptions& options) {
+  const Spacing x_spacing = options.log_x ? Spacing::kLogarithmic : Spacing::kLinear;
+  const Spacing y_spacing = options.log_y ? Spacing::kLogarithmic : Spacing::kLinear;
+  const VerticalScale up = vertical_scale(extent_of(series, y_spacing), options.height, y_spacing);
   const std::size_t label_size = longest(up.labels);
   const std::size_t margin = label_size + 2;
   const int columns = options.width - static_cast<int>(margin);
@@ -210,7 +220,7 @@ std::string plot(std::span<const double> x, std::span<const Series> series,
     refuse("width must be at least " + std::to_string(options.width - columns + kLeastColumns) +
            " with these labels, got " + std::to_string(options.width));
   const auto [low, high] = std::minmax(x.front(), x.back());
-  const HorizontalScale across{drawable(low, high), columns};
+  const HorizontalScale across{drawable(low, high, x_spacing), columns, x_spacing};
   Grid grid(across, up, series.size());
   for (std::size_t i = 0; i < series.size(); ++i) grid.draw(x, series[i], static_cast<unsigned>(i));
 
@@ -226,6 +236,23 @@ std::string plot(std::span<const double> x, std::span<const Series> series,
   page.centred(options.x_label, margin);
   if (series.size() > 1) page.legend(series);
   return page.take();
+}
+
+}  // namespace
+
+std::string plot(std::span<const double> x, std::span<const Series> series,
+                 const PlotOptions& options) {
+  check_x(x, options.log_x);
+  check_series(x.size(), series);
+  if (options.height < kLeastHeight)
+    refuse("height must be at least " + std::to_string(kLeastHeight) + ", got " +
+           std::to_string(options.height));
+  const std::vector<double> x_places =
+      options.log_x ? logarithms(x) : std::vector<double>(x.begin(), x.end());
+  std::vector<Series> places(series.begin(), series.end());
+  for (Series& one : places)
+    if (options.log_y) one.y = logarithms(one.y);
+  return drawn(x_places, places, options);
 }
 
 }  // namespace rotor

@@ -68,8 +68,7 @@ std::vector<std::string> Columns::headers() const {
 StateColumns::StateColumns(std::span<const std::string> names)
     : Columns(names, [](const Quantity&) { return true; }) {}
 
-void StateColumns::values(const Run& run, const State& state, std::vector<double>& out) const {
-  StateRow row(run, state);
+void StateColumns::values(StateRow& row, std::vector<double>& out) const {
   append(parts_, out, [&](const Quantity& quantity) { return quantity.of_state(row); });
 }
 

@@ -59,7 +59,7 @@ class StateColumns : public Columns {
  public:
   explicit StateColumns(std::span<const std::string> names);
   /// Appends one value a column.
-  void values(const Run& run, const State& state, std::vector<double>& out) const;
+  void values(StateRow& row, std::vector<double>& out) const;
   /// t, angle, axis, euler_vector, quaternion.
   static std::span<const std::string> standard();
 };

@@ -4,13 +4,23 @@
 
 namespace rotor {
 
+const State& StateRow::attitude() {
+  if (!attitude_) attitude_ = run_.attitude(t_);
+  return *attitude_;
+}
+
+const State& StateRow::state() {
+  if (!state_) state_ = run_(t_);
+  return *state_;
+}
+
 const Vector& StateRow::omega() {
-  if (!omega_) omega_ = run_.omega(state_.t);
+  if (!omega_) omega_ = run_.omega(t_);
   return *omega_;
 }
 
 const Rates& StateRow::rates() {
-  if (!rates_) rates_ = run_.rates(state_, omega());
+  if (!rates_) rates_ = run_.rates(state(), omega());
   return *rates_;
 }
 
@@ -84,10 +94,18 @@ constexpr Quantity of_motion(const char* name, const char* components, const cha
   return {name, components, "", meaning, values, nullptr, nullptr};
 }
 
-// A face of states and rotations: `values` takes either.
+// A face of states and rotations that the quaternion alone determines: `values` takes either.
 template <class F>
 constexpr Quantity face(const char* name, const char* components, const char* unit,
                         const char* meaning, F values, Rotation (*rotation)(const Values&)) {
+  return {name,   components, unit, meaning, [](StateRow& row) { return F{}(row.attitude()); },
+          values, rotation};
+}
+// One of axis and angle, which know how the motion went.
+template <class F>
+constexpr Quantity turning_face(const char* name, const char* components, const char* unit,
+                                const char* meaning, F values,
+                                Rotation (*rotation)(const Values&)) {
   return {name,   components, unit, meaning, [](StateRow& row) { return F{}(row.state()); },
           values, rotation};
 }
@@ -109,13 +127,13 @@ constexpr Quantity euler() {
 }
 
 constexpr std::array kQuantities = {
-    of_motion("t", "", "time", [](StateRow& r) { return of(r.state().t); }),
-    face(
+    of_motion("t", "", "time", [](StateRow& r) { return of(r.t()); }),
+    turning_face(
         "angle", "", "_rad", "rotation angle theta", [](const auto& r) { return of(angle(r)); },
         nullptr),
-    face(
+    turning_face(
         "axis", "xyz", "", "rotation axis n", [](const auto& r) { return of(axis(r)); }, nullptr),
-    face(
+    turning_face(
         "euler_vector", "xyz", "_rad", "Euler vector E = n theta",
         [](const auto& r) { return of(r.euler_vector()); }, vector_to_rotation<from_euler_vector>),
     face(
@@ -151,6 +169,9 @@ constexpr std::array kQuantities = {
     euler<'x', 'z', 'x'>(),
     of_motion("omega", "xyz", "angular velocity in the space frame, rad per unit of t",
               [](StateRow& r) { return of(r.omega()); }),
+    of_motion(
+        "body_omega", "xyz", "angular velocity in the body frame, rad per unit of t",
+        [](StateRow& r) { return of(Vector(r.attitude().quaternion.conjugate() * r.omega())); }),
     of_motion("angle_rate", "", "d theta/dt, rad per unit of t",
               [](StateRow& r) { return of(r.rates().angle_rate); }),
     of_motion("axis_rate", "xyz", "dn/dt per unit of t",

@@ -12,17 +12,23 @@
 
 namespace rotor {
 
-/// A state, and what of it is computed at most once for all columns of a row.
+/// A time of a run, and what of the state there is computed: only what is asked for, at most once
+/// for all columns of a row. Axis and angle need the run's crossings, the quaternion does not.
 class StateRow {
  public:
-  StateRow(const Run& run, const State& state) : run_(run), state_(state) {}
-  const State& state() const { return state_; }
+  StateRow(const Run& run, double t) : run_(run), t_(t) {}
+  double t() const { return t_; }
+  /// A state of which the quaternion alone is known, with what follows from it.
+  const State& attitude();
+  const State& state();
   const Vector& omega();
   const Rates& rates();
 
  private:
   const Run& run_;
-  const State& state_;
+  double t_;
+  std::optional<State> attitude_;
+  std::optional<State> state_;
   std::optional<Vector> omega_;
   std::optional<Rates> rates_;
 };

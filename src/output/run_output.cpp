@@ -34,9 +34,10 @@ bool write_csv(const Run& run, std::span<const double> times, const StateColumns
                const Observer& observer) {
   CsvWriter writer(file, columns.headers());
   std::vector<double> values;
-  visit_states(run, times, observer, [&](const State& state) {
+  visit_times(times, observer, [&](double t) {
     values.clear();
-    columns.values(run, state, values);
+    StateRow row(run, t);
+    columns.values(row, values);
     writer.row(values);
   });
   writer.commit();
@@ -49,8 +50,10 @@ bool write_csv(const Run& run, std::span<const double> times, const StateColumns
 std::string table(const Run& run, std::span<const double> times, const StateColumns& columns,
                   int digits, const Observer& observer) {
   std::vector<std::vector<double>> rows;
-  visit_states(run, times, observer,
-               [&](const State& state) { columns.values(run, state, rows.emplace_back()); });
+  visit_times(times, observer, [&](double t) {
+    StateRow row(run, t);
+    columns.values(row, rows.emplace_back());
+  });
   return number_table(columns.headers(), rows, digits);
 }
 
@@ -62,9 +65,10 @@ std::string plot(const Run& run, std::span<const double> times, const StateColum
     if (column.wraps) series.back().jump = std::numbers::pi;
   }
   std::vector<double> values;
-  visit_states(run, times, observer, [&](const State& state) {
+  visit_times(times, observer, [&](double t) {
     values.clear();
-    columns.values(run, state, values);
+    StateRow row(run, t);
+    columns.values(row, values);
     for (std::size_t i = 0; i < values.size(); ++i) series[i].y.push_back(values[i]);
   });
   if (options.x_label.empty()) options.x_label = "t";

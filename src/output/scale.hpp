@@ -26,13 +26,14 @@ struct VerticalScale {
 };
 
 /// The scale that fills most of `height` rows (5 or more), with a tick in every third to seventh
-/// row of 20.
-VerticalScale vertical_scale(Extent extent, int height);
+/// row of 20; between powers of ten there may be more rows.
+VerticalScale vertical_scale(Extent extent, int height, Spacing spacing = Spacing::kLinear);
 
 /// Columns; the ends of the extent are the middles of the first and the last one.
 struct HorizontalScale {
   Extent extent;
   int columns;
+  Spacing spacing = Spacing::kLinear;
 
   /// In columns from the left edge.
   long double across(long double x) const {

@@ -6,13 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "rotation/frame.hpp"
 #include "rotation/rotation.hpp"
 
 namespace rotor {
-
-/// Where the axes of a sequence are fixed: in the body (intrinsic: Q = Q1 Q2 ... Qn), or in space
-/// (extrinsic: Q = Qn ... Q2 Q1).
-enum class Frame { kBody, kSpace };
 
 /// The unit vectors of the letters x, y, z: "zyx" gives e3, e2, e1. Throws std::invalid_argument on
 /// any other letter, with a hint where `letters` are such as "ZYX" or "321".

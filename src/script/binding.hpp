@@ -142,7 +142,11 @@ std::span<const Group> kinematics_groups();
 std::span<const Group> fit_groups();
 std::span<const Group> triangle_groups();
 std::span<const Group> list_groups();
+std::span<const Group> spin_groups();
 std::span<const Group> run_groups();
+std::span<const Group> certify_groups();
+std::span<const Group> plot_groups();
+std::span<const Group> jet_groups();
 std::span<const Group> terminal_groups();
 
 /// Makes a type's metatable and the registry row of each entry, and sets globals.

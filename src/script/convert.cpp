@@ -100,6 +100,12 @@ Quaternion Convert<Quaternion>::get(lua_State* L, int index) {
   return {c(0), c(1), c(2), c(3)};
 }
 
+Jet Convert<Jet>::get(lua_State* L, int index) {
+  if (const Jet* jet = test_user_value<Jet>(L, index)) return *jet;
+  if (lua_type(L, index) != LUA_TNUMBER) throw Mismatch(L, index, "a number or a jet");
+  return Jet::constant(lua_tonumber(L, index));
+}
+
 Matrix Convert<Matrix>::get(lua_State* L, int index) {
   constexpr const char* kExpected = "a matrix {{a, b, c}, {d, e, f}, {g, h, i}}";
   if (!lua_istable(L, index) || lua_rawlen(L, index) != 3) throw Mismatch(L, index, kExpected);

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "integrate/certify.hpp"
 #include "motion/run.hpp"
 #include "rotation/chain.hpp"
 #include "rotation/fit.hpp"
@@ -47,10 +48,11 @@ struct UserType;  // static constexpr const char* kName
 /// A run is shared with its states.
 using SharedRun = std::shared_ptr<const Run>;
 
-/// A state and the run that it is of.
+/// A state and the run that it is of. Axis and angle are found when they are asked for.
 struct RunState {
   SharedRun run;
-  State state;
+  State attitude;
+  mutable std::optional<State> full = std::nullopt;
 };
 
 // clang-format off
@@ -61,10 +63,13 @@ template <> struct UserType<Chain>      { static constexpr const char* kName = "
 template <> struct UserType<SharedRun>  { static constexpr const char* kName = "run"; };
 template <> struct UserType<RunState>   { static constexpr const char* kName = "state"; };
 template <> struct UserType<Cost>       { static constexpr const char* kName = "cost"; };
+template <> struct UserType<Certificate> { static constexpr const char* kName = "certificate"; };
 template <> struct UserType<RigidFit>   { static constexpr const char* kName = "rigid_fit"; };
 template <> struct UserType<RotationRates> { static constexpr const char* kName = "rates"; };
 template <> struct UserType<Spline>     { static constexpr const char* kName = "spline"; };
 template <> struct UserType<SphericalTriangle> { static constexpr const char* kName = "spherical_triangle"; };
+template <> struct UserType<AngularVelocity> { static constexpr const char* kName = "spin"; };
+template <> struct UserType<Jet>        { static constexpr const char* kName = "jet"; };
 // clang-format on
 
 /// The key of a type's metatable in the registry.
@@ -134,6 +139,12 @@ bool is_vector(lua_State* L, int index);
 template <>
 struct Convert<Quaternion> : ConvertUser<Quaternion> {
   static Quaternion get(lua_State* L, int index);
+};
+
+/// jet or number.
+template <>
+struct Convert<Jet> : ConvertUser<Jet> {
+  static Jet get(lua_State* L, int index);
 };
 
 /// A table of three rows of three numbers; pushed with the metatable "matrix".

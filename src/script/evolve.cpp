@@ -1,10 +1,10 @@
 #include "script/evolve.hpp"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "integrate/generalized.hpp"
 #include "rotation/text.hpp"
 #include "script/binding.hpp"
 #include "script/lua_value.hpp"
@@ -15,18 +15,33 @@
 namespace rotor::script {
 namespace {
 
-constexpr std::array<std::pair<const char*, Method>, 4> kMethods = {{{"auto", Method::kAuto},
-                                                                     {"exact", Method::kExact},
-                                                                     {"rk4", Method::kRk4},
-                                                                     {"dop853", Method::kDop853}}};
+template <class T>
+struct Word {
+  const char* name;
+  T value;
+};
+constexpr Word<Method> kMethods[] = {{"auto", Method::kAuto},
+                                     {"exact", Method::kExact},
+                                     {"fgl", Method::kFgl},
+                                     {"rk4", Method::kRk4},
+                                     {"dop853", Method::kDop853}};
+constexpr Word<Equation> kEquations[] = {
+    {"quaternion", Equation::kQuaternion},        {"euler", Equation::kEuler},
+    {"modified_gibbs", Equation::kModifiedGibbs}, {"gibbs", Equation::kGibbs},
+    {"axis_angle", Equation::kAxisAngle},         {"body_points", Equation::kBodyPoints},
+    {"generalized", Equation::kGeneralized}};
 
-Method method_named(const std::string& name) {
+// What the option's word stands for; the first of them where it is not given.
+template <class T, std::size_t N>
+T word_option(const Options& options, const char* key, const Word<T> (&words)[N]) {
+  const auto name = options.get<std::string>(key);
   std::string known;
-  for (const auto& [key, method] : kMethods) {
-    if (name == key) return method;
-    known += (known.empty() ? "\"" : ", \"") + std::string(key) + "\"";
+  for (const Word<T>& word : words) {
+    if (!name || *name == word.name) return word.value;
+    known += (known.empty() ? "\"" : ", \"") + std::string(word.name) + "\"";
   }
-  throw std::invalid_argument("method: expected one of " + known + ", got \"" + name + "\"");
+  throw std::invalid_argument(std::string(key) + ": expected one of " + known + ", got \"" + *name +
+                              "\"");
 }
 
 AngularVelocity omega_of(lua_State* L, const Options& options) {
@@ -38,7 +53,8 @@ AngularVelocity omega_of(lua_State* L, const Options& options) {
     return scripted_omega(L, lua_gettop(L));
   } catch (const Mismatch&) {
     throw std::invalid_argument(
-        "omega: expected a function of t, a vec, {x, y, z} or a spline, got " + describe(L, -1));
+        "omega: expected a function of t, a vec, {x, y, z}, a model of spin or a spline, got " +
+        describe(L, -1));
   }
 }
 
@@ -61,10 +77,25 @@ void set_interval(const Options& options, Scene& scene) {
   scene.t1 = interval->back();
 }
 
+void set_equation(lua_State* L, const Options& options, Scene& scene) {
+  scene.equation = word_option(options, "equation", kEquations);
+  scene.restart = options.get<bool>("restart").value_or(false);
+  const bool generalized = scene.equation == Equation::kGeneralized;
+  if (generalized != options.has("f")) {
+    throw std::invalid_argument(generalized
+                                    ? "equation = \"generalized\" needs f, a function of theta"
+                                    : "f is for equation = \"generalized\"");
+  }
+  if (!generalized) return;
+  const StackGuard guard(L);
+  options.push("f");
+  scene.f = std::make_shared<const GeneralizedAngle>(scripted_jet_function(L, lua_gettop(L)));
+}
+
 Scene scene_of(lua_State* L, const Options& options) {
   Scene scene{.omega = omega_of(L, options)};
   set_interval(options, scene);
-  scene.method = method_named(options.get<std::string>("method").value_or("auto"));
+  scene.method = word_option(options, "method", kMethods);
   scene.step = options.get<double>("step");
   if (scene.step && options.has("accuracy")) {
     throw std::invalid_argument(
@@ -73,6 +104,8 @@ Scene scene_of(lua_State* L, const Options& options) {
   scene.accuracy = options.get<double>("accuracy").value_or(scene.accuracy);
   scene.max_step = options.get<double>("max_step");
   scene.max_steps = options.get<std::size_t>("max_steps").value_or(scene.max_steps);
+  scene.breaks = options.get<std::vector<double>>("breaks").value_or(std::vector<double>());
+  set_equation(L, options, scene);
   return scene;
 }
 
@@ -135,7 +168,9 @@ SharedRun evolve_options(lua_State* L) {
   const Options options(L, 1, kEvolve);
   const Scene scene = scene_of(L, options);
   const Rotation from = options.get<Rotation>("from").value_or(Rotation());
-  const auto run = std::make_shared<const Run>(evolve(scene, from, watching(scene.t0, scene.t1)));
+  auto points = options.get<std::vector<Vector>>("points").value_or(std::vector<Vector>());
+  const auto run = std::make_shared<const Run>(
+      evolve(scene, from, watching(scene.t0, scene.t1), std::move(points)));
   if (!run->complete()) raise_stop(L, run, scene);
   return run;
 }

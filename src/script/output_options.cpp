@@ -6,6 +6,20 @@
 #include "script/lua_value.hpp"
 
 namespace rotor::script {
+namespace {
+
+// Columns or rows of a picture.
+int size_option(const Options& options, const char* key, int otherwise) {
+  constexpr std::size_t kMost = 1000;
+  const auto size = options.get<std::size_t>(key).value_or(static_cast<std::size_t>(otherwise));
+  if (size > kMost) {
+    throw std::invalid_argument(std::string(key) + ": expected at most 1000, got " +
+                                std::to_string(size));
+  }
+  return static_cast<int>(size);
+}
+
+}  // namespace
 
 void print(lua_State* L, const std::string& text) {
   lua_getglobal(L, "print");
@@ -28,6 +42,14 @@ Names Convert<Names>::get(lua_State* L, int index) {
   if (lua_type(L, index) == LUA_TSTRING) return {{Convert<std::string>::get(L, index)}};
   if (!lua_istable(L, index)) throw Mismatch(L, index, "a name or a list of names");
   return {Convert<std::vector<std::string>>::get(L, index)};
+}
+
+PlotOptions look_option(const Options& options) {
+  PlotOptions look;
+  look.title = options.get<std::string>("title").value_or(look.title);
+  look.width = size_option(options, "width", look.width);
+  look.height = size_option(options, "height", look.height);
+  return look;
 }
 
 std::string scene_name(lua_State* L) {

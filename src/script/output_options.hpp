@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "output/canvas.hpp"
 #include "output/columns.hpp"
 #include "script/options.hpp"
 
@@ -27,6 +28,9 @@ template <>
 struct Convert<Names> {
   static Names get(lua_State* L, int index);
 };
+
+/// The options title, width and height of a picture.
+PlotOptions look_option(const Options& options);
 
 /// The name of the script, from the table arg (which has the program before it), or "terminal".
 std::string scene_name(lua_State* L);

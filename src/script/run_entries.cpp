@@ -42,7 +42,7 @@ std::vector<double> times_of(const Options& options, const Run& run, std::size_t
 // run(t).
 Results state_at(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
-  Convert<RunState>::push(L, {run, (*run)(argument<double>(L, 2))});
+  Convert<RunState>::push(L, {run, run->attitude(argument<double>(L, 2))});
   return {1};
 }
 
@@ -52,8 +52,8 @@ Results sample(lua_State* L) {
   const std::vector<double> times = times_of(Options(L, 2, kSample), *run);
   lua_createtable(L, static_cast<int>(times.size()), 0);
   lua_Integer count = 0;
-  visit_states(*run, times, watching(run->t0(), run->t1()), [&](const State& state) {
-    Convert<RunState>::push(L, {run, state});
+  visit_times(times, watching(run->t0(), run->t1()), [&](double t) {
+    Convert<RunState>::push(L, {run, run->attitude(t)});
     lua_rawseti(L, -2, ++count);
   });
   return {1};
@@ -72,27 +72,13 @@ Results csv(lua_State* L) {
   return {0};
 }
 
-// Columns or rows of a picture.
-int size_option(const Options& options, const char* key, std::size_t otherwise) {
-  constexpr std::size_t kMost = 1000;
-  const std::size_t size = options.get<std::size_t>(key).value_or(otherwise);
-  if (size > kMost) {
-    throw std::invalid_argument(std::string(key) + ": expected at most 1000, got " +
-                                std::to_string(size));
-  }
-  return static_cast<int>(size);
-}
-
 constexpr const char* kPlot = "run:plot(what, {n=, every=, times=, title=, width=, height=})";
 Results plot_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const auto columns = columns_of<StateColumns>(L, argument<Names>(L, 2).list);
   const Options options(L, 3, kPlot);
-  PlotOptions look;
-  look.title = options.get<std::string>("title").value_or("");
-  look.width = size_option(options, "width", 80);
-  look.height = size_option(options, "height", 20);
-  print(L, plot(*run, times_of(options, *run), columns, look, watching(run->t0(), run->t1())));
+  print(L, plot(*run, times_of(options, *run), columns, look_option(options),
+                watching(run->t0(), run->t1())));
   return {0};
 }
 
@@ -109,7 +95,7 @@ Results table_entry(lua_State* L) {
 
 double t0(const SharedRun& run) { return run->t0(); }
 double t1(const SharedRun& run) { return run->t1(); }
-Rotation from(const SharedRun& run) { return run->from(); }
+Rotation start(const SharedRun& run) { return run->from(); }
 std::string method(const SharedRun& run) { return run->propagator().method; }
 std::string why(const SharedRun& run) { return run->propagator().why; }
 bool complete(const SharedRun& run) { return run->complete(); }
@@ -119,7 +105,7 @@ Cost cost(const SharedRun& run) { return run->propagator().cost; }
 Results crossings(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   if (lua_getiuservalue(L, 1, 1) == LUA_TTABLE) return {1};
-  const std::vector<Crossing> list = run->crossings();
+  const std::vector<Crossing> list = run->crossings(watching(run->t0(), run->t1()));
   lua_createtable(L, static_cast<int>(list.size()), 0);
   for (std::size_t i = 0; i < list.size(); ++i) {
     lua_createtable(L, 0, 5);
@@ -139,6 +125,11 @@ Results crossings(lua_State* L) {
   lua_setiuservalue(L, 1, 1);
   return {1};
 }
+
+SharedRun from(const SharedRun& run, const Rotation& start) {
+  return std::make_shared<const Run>(run->with_start(start));
+}
+
 std::string text_of_run(const SharedRun& run) {
   const Propagator& p = run->propagator();
   std::string text = "run  t " + shown(run->t0()) + " .. " + shown(run->t1()) + "  " + p.method +
@@ -153,21 +144,27 @@ std::string text_of_run(const SharedRun& run) {
 }
 
 // Fields of a state.
-double state_t(const RunState& s) { return s.state.t; }
-double state_angle(const RunState& s) { return s.state.angle; }
-Vector state_axis(const RunState& s) { return s.state.axis; }
-Vector state_euler_vector(const RunState& s) { return s.state.euler_vector(); }
-Rotation state_rotation(const RunState& s) { return s.state.rotation(); }
-Quaternion state_quaternion(const RunState& s) { return s.state.quaternion; }
-Matrix state_matrix(const RunState& s) { return s.state.matrix(); }
-Vector state_omega(const RunState& s) { return s.run->omega(s.state.t); }
-Rates rates_of(const RunState& s) { return s.run->rates(s.state, s.run->omega(s.state.t)); }
+const State& full(const RunState& s) {
+  if (!s.full) s.full = (*s.run)(s.attitude.t, watching(s.run->t0(), s.run->t1()));
+  return *s.full;
+}
+double state_t(const RunState& s) { return s.attitude.t; }
+double state_angle(const RunState& s) { return full(s).angle; }
+Vector state_axis(const RunState& s) { return full(s).axis; }
+Vector state_euler_vector(const RunState& s) { return full(s).euler_vector(); }
+Rotation state_rotation(const RunState& s) { return full(s).rotation(); }
+Quaternion state_quaternion(const RunState& s) { return s.attitude.quaternion; }
+Matrix state_matrix(const RunState& s) { return s.attitude.matrix(); }
+std::vector<Vector> state_points(const RunState& s) { return s.run->points(s.attitude.t); }
+Vector state_omega(const RunState& s) { return s.run->omega(s.attitude.t); }
+Vector state_body_omega(const RunState& s) { return s.run->body_omega(s.attitude.t); }
+Rates rates_of(const RunState& s) { return s.run->rates(full(s), s.run->omega(s.attitude.t)); }
 double state_angle_rate(const RunState& s) { return rates_of(s).angle_rate; }
 Vector state_axis_rate(const RunState& s) { return rates_of(s).axis_rate; }
 Vector state_euler_rate(const RunState& s) { return rates_of(s).euler_rate; }
 std::string text_of_state(const RunState& s) {
-  return "state  t " + shown(s.state.t) + "\n       " +
-         shown_axis_angle(s.state.axis, s.state.angle, 7);
+  const State& state = full(s);
+  return "state  t " + shown(state.t) + "\n       " + shown_axis_angle(state.axis, state.angle, 7);
 }
 
 std::size_t omega_calls(const Cost& c) { return c.omega_calls; }
@@ -183,25 +180,38 @@ std::string text_of_cost(const Cost& c) {
 
 constexpr Entry kFunctions[] = {
     {"evolve", bound<evolve_entry>, kEvolve,
-     "Follows a body that turns with the angular velocity omega, in the space frame, in radians "
-     "per unit of t: a "
-     "vector (constant), or a function of t alone that returns three numbers (fast), a table or a "
-     "vec, or a spline. from: the "
-     "rotation at the start (default identity). to: the end, from t = 0; or t = {t0, t1}, backward "
-     "too. accuracy: "
-     "the wanted bound on the rotation error over the whole run, rad (default 1e-10). method: "
-     "\"auto\" (default), "
-     "\"exact\" (constant omega), \"dop853\", or \"rk4\" with step. max_step: the longest step "
-     "(default a 32nd of "
-     "the way): omega is sampled some fifteen times a step, and what is narrower than the samples "
-     "is not seen. "
-     "max_steps: how many are taken at most (default a million). A run that stops early raises an "
-     "error object "
-     "with .reason, .t and .run, the run up to there.",
+     "Follows a body that turns with the angular velocity omega, in radians per unit of t: a "
+     "vector "
+     "(constant), a function of t alone that returns three numbers (fast), a table or a vec, a "
+     "spline, or a model of the module spin (help(spin)); in the space frame, or in the body frame "
+     "by "
+     "spin.body(omega). from: the rotation at the start (default identity). to: the end, from t = "
+     "0; "
+     "or t = {t0, t1}, backward too. accuracy: the wanted bound on the rotation error over the "
+     "whole "
+     "run, rad (default 1e-10). method: \"auto\" (default: the cheapest faithful one; run.why says "
+     "why), \"exact\" (where the model of omega has a closed form), \"fgl\" (Fer factors on "
+     "Gauss-Legendre nodes), \"dop853\" (Runge-Kutta of order 8), or \"rk4\" with step. breaks: "
+     "times at which omega jumps: steps end there. max_step: the longest step (default a 16th of "
+     "the "
+     "way, for dop853 a 32nd): omega is sampled some fifteen or thirty times a step, and what is "
+     "narrower than the samples is not seen. max_steps: how many are taken at most (default a "
+     "million). equation: \"quaternion\" (default), or by rk4 and dop853 \"euler\" [P7], "
+     "\"modified_gibbs\" [P8], \"gibbs\" [P10], \"axis_angle\" [P5], \"body_points\" [P1], "
+     "\"generalized\" [P4] with f, an odd function of the angle: those stop where they are "
+     "singular; "
+     "restart = true goes on with \"euler\" from E (1 - 2 pi/|E|), the same operator. points: "
+     "places "
+     "of points of the body at the start, for state.points. A run that stops early raises an error "
+     "object with .reason, .t and .run, the run up to there.",
      ROTOR_RUN "(7).angle --> 7.0"},
 };
 
 constexpr Entry kMethods[] = {
+    {"from", bound<from>, "run:from(rotation) -> run",
+     "The same motion from another start. Nothing is integrated: the motion is linear in the "
+     "quaternion of the start.",
+     ROTOR_RUN ":from(rotation({0, 0, 1}, 1))(2).angle --> 3.0"},
     {"sample", bound<sample>, kSample,
      "The states at n times from start to end (default 1000), at every so much, or at the given "
      "times: a list.",
@@ -233,8 +243,8 @@ constexpr Entry kFields[] = {
     {"t0", bound<t0>, "run.t0 -> number", "Time of the start.", ROTOR_RUN ".t0 --> 0.0"},
     {"t1", bound<t1>, "run.t1 -> number", "Time of the end, or the time reached.",
      ROTOR_RUN ".t1 --> 10.0"},
-    {"from", bound<from>, "run.from -> rotation", "The rotation at the start.",
-     ROTOR_RUN ".from.angle --> 0.0"},
+    {"start", bound<start>, "run.start -> rotation", "The rotation at the start.",
+     ROTOR_RUN ".start.angle --> 0.0"},
     {"method", bound<method>, "run.method -> string", "The method that was used.",
      ROTOR_RUN ".method --> \"exact\""},
     {"why", bound<why>, "run.why -> string", "Why this method.",
@@ -286,8 +296,16 @@ constexpr Entry kStateFields[] = {
      "Unit quaternion, continuous in t.", ROTOR_STATE ".quaternion.w < 0 --> true"},
     {"matrix", bound<state_matrix>, "state.matrix -> matrix", "Matrix of the operator.",
      ROTOR_STATE ".matrix[3][3] --> 1.0"},
-    {"omega", bound<state_omega>, "state.omega -> vec", "The angular velocity at t: calls omega.",
+    {"points", bound<state_points>, "state.points -> table",
+     "Where the points of the body are that evolve was given by their places at the start "
+     "(points=).",
+     "evolve{omega = {0, 0, 1}, to = 1, points = {{0, 0, 2}}}(1).points[1] --> vec(0.0, 0.0, 2.0)"},
+    {"omega", bound<state_omega>, "state.omega -> vec",
+     "The angular velocity at t, in the space frame: calls omega.",
      ROTOR_STATE ".omega --> vec(0.0, 0.0, 1.0)"},
+    {"body_omega", bound<state_body_omega>, "state.body_omega -> vec",
+     "The angular velocity at t, in the body frame: calls omega.",
+     ROTOR_STATE ".body_omega --> vec(0.0, 0.0, 1.0)"},
     {"angle_rate", bound<state_angle_rate>, "state.angle_rate -> number", "omega . n [P5].",
      ROTOR_STATE ".angle_rate --> 1.0"},
     {"axis_rate", bound<state_axis_rate>, "state.axis_rate -> vec",

@@ -3,28 +3,27 @@
 #include <utility>
 
 #include "rotation/text.hpp"
+#include "spin/models.hpp"
 
 namespace rotor {
 
-AngularVelocity::AngularVelocity(const Vector& constant) : value_(constant) {
-  if (!constant.allFinite()) {
-    throw std::invalid_argument("omega: expected three finite numbers, got " + text(constant));
-  }
-}
+AngularVelocity::AngularVelocity(const Vector& constant)
+    : model_(std::make_shared<const ConstantSpin>(constant)) {}
 
 AngularVelocity::AngularVelocity(Function function, std::string name)
-    : value_(std::move(function)), name_(std::move(name)) {}
+    : model_(std::make_shared<const FunctionSpin>(std::move(function), std::move(name))) {}
+
+AngularVelocity::AngularVelocity(std::shared_ptr<const SpinModel> model, Frame frame)
+    : model_(std::move(model)), frame_(frame) {}
 
 std::string AngularVelocity::description() const {
-  const Vector* value = constant();
-  return value == nullptr ? name_ : text(*value);
+  return model_->description() + (frame_ == Frame::kBody ? ", in the body frame" : "");
 }
 
 Vector AngularVelocity::operator()(double t) const {
-  if (const Vector* value = constant()) return *value;
-  const Vector omega = std::get<Function>(value_)(t);
+  const Vector omega = model_->value(t);
   if (!omega.allFinite()) {
-    throw NonFiniteOmega(name_ + " gave " + text(omega) + " at t = " + text(t) +
+    throw NonFiniteOmega(model_->description() + " gave " + text(omega) + " at t = " + text(t) +
                          ", expected three finite numbers");
   }
   return omega;

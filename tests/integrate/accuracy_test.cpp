@@ -6,12 +6,13 @@
 
 #include "catch.hpp"
 #include "closed_forms.hpp"
+#include "integrate/chart_flow.hpp"
+#include "integrate/equation.hpp"
 
 namespace {
 
 using namespace rotor;
-using closed_form::greatest_error, closed_form::scene, closed_form::to_accuracy,
-    closed_form::turning;
+using closed_form::greatest_error, closed_form::scene, closed_form::by_dop853, closed_form::turning;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -35,7 +36,7 @@ TEST_CASE("DOP853 keeps the accuracy asked for and states its error, at nodes an
     for (const double accuracy : {1e-2, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15}) {
       CAPTURE(period, end);
       const auto motion = turning(period);
-      const Propagator run = propagate(to_accuracy(accuracy, scene(motion.omega(), 0, end)));
+      const Propagator run = propagate(by_dop853(accuracy, scene(motion.omega(), 0, end)));
       check_promise(run, accuracy, greatest_error(run, motion, 300));
     }
   }
@@ -47,7 +48,7 @@ TEST_CASE("the promise holds over the times of the paper's figures") {
         std::tuple{40.0, 42000.0, 1e-4}, std::tuple{kPi, 4200.0, 1e-6}}) {
     CAPTURE(period, end);
     const auto motion = turning(period);
-    const Propagator run = propagate(to_accuracy(accuracy, scene(motion.omega(), 0, end)));
+    const Propagator run = propagate(by_dop853(accuracy, scene(motion.omega(), 0, end)));
     check_promise(run, accuracy, greatest_error(run, motion, 500));
   }
 }
@@ -57,15 +58,15 @@ TEST_CASE("near its turning points a motion about a fixed axis is as good as any
   const auto truth = [](double t) { return closed_form::turn({0, 0, std::sin(Extended{t})}); };
   const AngularVelocity omega([](double t) { return Vector(0, 0, std::cos(t)); });
   for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const Propagator run = propagate(to_accuracy(accuracy, scene(omega, 0, 20)));
+    const Propagator run = propagate(by_dop853(accuracy, scene(omega, 0, 20)));
     check_promise(run, accuracy, greatest_error(run, truth));
   }
 }
 
 TEST_CASE("an accuracy below rounding costs little more than one that rounding allows") {
   const auto motion = turning(40);
-  const Propagator fine = propagate(to_accuracy(1e-13, scene(motion.omega(), 0, 400)));
-  const Propagator finest = propagate(to_accuracy(1e-300, scene(motion.omega(), 0, 400)));
+  const Propagator fine = propagate(by_dop853(1e-13, scene(motion.omega(), 0, 400)));
+  const Propagator finest = propagate(by_dop853(1e-300, scene(motion.omega(), 0, 400)));
   CHECK(!finest.stop);
   CHECK(finest.cost.steps < 3 * fine.cost.steps);
   CHECK(greatest_error(finest, motion, 300) <= finest.error_estimate);
@@ -104,16 +105,16 @@ TEST_CASE("the norm of the quaternion is kept over a hundred thousand steps") {
   // Restoring leaves 3/2 d^2 of a step's drift d: what is seen is the rounding of the norm itself.
   const auto check_norm = [](const Propagator& run, std::size_t steps) {
     REQUIRE(run.cost.steps >= steps);
-    const auto& dense = std::get<DenseOutput<Eigen::Vector4d>>(run.motion);
+    const auto& flow = dynamic_cast<const ChartFlow<QuaternionEquation>&>(*run.flow);
     double worst = 0;
-    for (const double t : run.mesh()) {
-      worst = std::max(worst, std::abs(dense.at(t).norm() - 1));
+    for (const double t : run.flow->mesh()) {
+      worst = std::max(worst, std::abs(flow.value(t).norm() - 1));
     }
     CHECK(worst < 1e-14);
   };
   const auto motion = turning(kPi);
   check_norm(propagate(closed_form::by_rk4(0.02, scene(motion.omega(), 0, 2000))), 100'000);
-  Scene fine = to_accuracy(1e-6, scene(motion.omega(), 0, 1000));
+  Scene fine = by_dop853(1e-6, scene(motion.omega(), 0, 1000));
   fine.max_step = 0.01;
   check_norm(propagate(fine), 100'000);
 }
@@ -136,11 +137,11 @@ TEST_CASE("every call of omega is counted, and there are no more than the method
     CHECK(rk4.cost.steps == static_cast<std::size_t>(std::abs(end) * 100));
     CHECK(rk4.cost.omega_calls == 2 * rk4.cost.steps + 1);
     CHECK(rk4.cost.rejected == 0);
-    CHECK(rk4.mesh().size() == rk4.cost.steps + 1);
+    CHECK(rk4.flow->mesh().size() == rk4.cost.steps + 1);
   }
-  const Propagator smooth = counted(to_accuracy(1e-8, scene(omega, 0, 1.5)));
+  const Propagator smooth = counted(by_dop853(1e-8, scene(omega, 0, 1.5)));
   CHECK(smooth.cost.omega_calls == 14 * (smooth.cost.steps + smooth.cost.rejected) + 1);
-  const Propagator rough = counted(to_accuracy(1e-8, scene(omega, 0, 3)));  // jumps at 2
+  const Propagator rough = counted(by_dop853(1e-8, scene(omega, 0, 3)));  // jumps at 2
   CHECK(rough.cost.rejected > 0);
   CHECK(rough.cost.omega_calls == 14 * (rough.cost.steps + rough.cost.rejected) + 1);
 }
@@ -153,14 +154,14 @@ TEST_CASE("a step that does not divide the way is shortened, and there are two a
   CHECK(steps(0.1, 1).cost.steps == 10);
   CHECK(steps(0.1, 0.3).cost.steps == 3);  // 0.3/0.1 is below 3 by an ulp
   CHECK(steps(100, 1).cost.steps == 2);
-  CHECK(steps(0.3, 1).mesh() == std::vector{0.0, 0.25, 0.5, 0.75, 1.0});
+  CHECK(steps(0.3, 1).flow->mesh() == std::vector{0.0, 0.25, 0.5, 0.75, 1.0});
 }
 
 TEST_CASE("forward and back again is where it began") {
   const auto motion = turning(kPi);
   for (const bool fixed : {false, true}) {
     const auto run = [&](double t0, double t1) {
-      const Scene s = to_accuracy(1e-9, scene(motion.omega(), t0, t1));
+      const Scene s = by_dop853(1e-9, scene(motion.omega(), t0, t1));
       return propagate(fixed ? closed_form::by_rk4(0.01, s) : s);
     };
     const Propagator there = run(0, 50);

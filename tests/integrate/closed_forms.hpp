@@ -74,15 +74,18 @@ inline double rotation_error(const Quaternion& computed, const ExtendedQuaternio
   return static_cast<double>(2 * std::atan2(d.vec().norm(), d.w()));
 }
 
-/// The greatest error of a run at its nodes and at nine places between, on at most `pieces` pieces.
+/// The greatest error of a run at its nodes and at `parts` - 1 places between, on at most `pieces`
+/// pieces.
 template <class Truth>
-double greatest_error(const Propagator& run, const Truth& truth, std::size_t pieces = 2000) {
-  const std::vector<double> mesh = run.mesh();
+double greatest_error(const Propagator& run, const Truth& truth, std::size_t pieces = 2000,
+                      int parts = 10) {
+  const std::vector<double> mesh = run.flow->mesh();
   const std::size_t stride = mesh.size() / pieces + 1;
   double greatest = 0;
   for (std::size_t i = 0; i + 1 < mesh.size(); i += stride) {
-    for (int part = 1; part <= 10; ++part) {
-      const double t = part == 10 ? mesh[i + 1] : mesh[i] + (mesh[i + 1] - mesh[i]) * part / 10;
+    for (int part = 1; part <= parts; ++part) {
+      const double t =
+          part == parts ? mesh[i + 1] : mesh[i] + (mesh[i + 1] - mesh[i]) * part / parts;
       const double error = rotation_error(run(t), truth(t));
       if (!(error <= greatest)) greatest = error;  // NaN stays
     }
@@ -97,6 +100,11 @@ inline Scene scene(AngularVelocity omega, double t0, double t1) {
   return result;
 }
 inline Scene to_accuracy(double accuracy, Scene s) {
+  s.accuracy = accuracy;
+  return s;
+}
+inline Scene by_dop853(double accuracy, Scene s) {
+  s.method = Method::kDop853;
   s.accuracy = accuracy;
   return s;
 }

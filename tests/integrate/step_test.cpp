@@ -25,7 +25,7 @@ double error_after(const Tableau<S>& method, double t, int n) {
   for (int step = 0; step < n; ++step) {
     std::array<Vector, S> samples;
     for (std::size_t i = 0; i < S; ++i) samples[i] = omega((step + method.c[i]) * h);
-    y += increment<QuaternionEquation>(method, samples, y, h);
+    y += increment(QuaternionEquation(), method, samples, y, h);
   }
   return closed_form::rotation_error(Quaternion(Eigen::Vector4d(y.normalized())), kMotion(t));
 }
@@ -66,11 +66,11 @@ TEST_CASE("on a constant omega a step is the exponential series to the order of 
   };
   std::array<Vector, 4> four;
   four.fill(omega);
-  CHECK(error(increment<QuaternionEquation>(kRk4Tableau, four, one, 1)) ==
+  CHECK(error(increment(QuaternionEquation(), kRk4Tableau, four, one, 1)) ==
         Approx(std::pow(0.125, 5) / 120).epsilon(0.05));  // and x/6 of that for the next term
   std::array<Vector, 12> twelve;
   twelve.fill(omega);
-  CHECK(error(increment<QuaternionEquation>(kDop853Tableau, twelve, one, 1)) < 1e-13);
+  CHECK(error(increment(QuaternionEquation(), kDop853Tableau, twelve, one, 1)) < 1e-13);
 }
 
 TEST_CASE("a weighted sum leaves out what has no weight and what is past the count") {

@@ -100,6 +100,41 @@ m
 )");
 }
 
+TEST_CASE("plot: logarithmic axes, literally") {
+  CHECK('\n' +
+            plot(Values{1e2, 1e3, 3e3, 1e4, 1e6},
+                 All{{"fourth", {1e-1, kNaN, 1e-4, kNaN, 0}},
+                     {"eighth", {kNaN, 1, kNaN, 1e-8, kNaN}}},
+                 {.width = 46, .height = 11, .x_label = "calls", .log_x = true, .log_y = true}) ==
+        R"(
+1e+00 |          +
+1e-01 |*
+1e-02 |
+1e-03 |
+1e-04 |              *
+1e-05 |
+1e-06 |
+1e-07 |
+1e-08 |                   +
+      +-------------------+------------------+
+     1e+02              1e+04            1e+06
+                        calls
+* fourth   + eighth
+)");
+}
+
+TEST_CASE("plot: a power law is a straight line where both axes are logarithmic") {
+  // y = x^-2 over whole decades is the line -2 u over their logarithms u, of labels three
+  // characters shorter.
+  const Values u = steps(-2, 2, 200);
+  const Values x = of(u, [](double e) { return std::pow(10, e); });
+  const Lines power = rows(plot(x, All{{"", of(x, [](double t) { return 1 / (t * t); })}},
+                                {.height = 17, .log_x = true, .log_y = true}));
+  const Lines line =
+      rows(plot(u, All{{"", of(u, [](double e) { return -2 * e; })}}, {.width = 77, .height = 17}));
+  CHECK(power == line);
+}
+
 TEST_CASE("plot: marks are in the cells of the curve, labels at their values") {
   // Of two series, so that the marks are whole cells; the second is out of the way of the first.
   struct Ends {
@@ -277,6 +312,10 @@ TEST_CASE("plot: what cannot be drawn is said") {
         "plot: x must be monotone, point 3 turns back from 3.0 to 2.0");
   CHECK(said({4, 2, 3, 1}, {{"a", {1, 2, 3, 4}}}) ==
         "plot: x must be monotone, point 3 turns back from 2.0 to 3.0");
+  CHECK(said({1, 2}, {{"a", {0, -1}}}, {.log_y = true}) ==
+        "plot: no finite positive value to draw");
+  CHECK(said({1, 0}, {{"a", {1, 1}}}, {.log_x = true}) ==
+        "plot: x must be positive on a logarithmic axis, point 2 is 0.0");
   CHECK(said({1}, All(11, {"a", {1}})) == "plot: at most 10 series, got 11");
   CHECK(said({0, 1}, {{"a", {0, 1}}}, {.height = 4}) == "plot: height must be at least 5, got 4");
   CHECK(said({0, 1}, {{"a", {0, 1}}}, {.width = 14}) ==

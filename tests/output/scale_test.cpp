@@ -42,6 +42,9 @@ TEST_CASE("tick labels are exact decimals of one form") {
   CHECK(tick_labels({1, 0}, 1000000000, 1000000001) == Labels{"1000000000", "1000000001"});
   CHECK(tick_labels({1, 7}, 1, 2) == Labels{"10000000", "20000000"});
   CHECK(tick_labels({1, 8}, 1, 2) == Labels{"1e+08", "2e+08"});
+  CHECK(tick_labels({5, 0}, -2, 1, Spacing::kLogarithmic) ==
+        Labels{"1e-10", "1e-05", "1e+00", "1e+05"});
+  CHECK(tick_labels({1, 2}, -3, -3, Spacing::kLogarithmic) == Labels{"1e-300"});
 }
 
 /// Random extents of every size and place: wide and narrow, near and far from 0.
@@ -86,6 +89,29 @@ TEST_CASE("vertical scale: fits, fills, and its labels are the middles of their 
   }
 }
 
+TEST_CASE("vertical scale: powers of ten are the middles of their rows, and fill") {
+  for (int low = -400; low <= 400; low += 37) {
+    for (int decades = 1; decades <= 640; decades += 1 + decades / 8) {
+      for (int height = 5; height < 40; ++height) {
+        CAPTURE(low, decades, height);
+        const Extent extent{static_cast<long double>(low), static_cast<long double>(low + decades)};
+        const VerticalScale scale = vertical_scale(extent, height, Spacing::kLogarithmic);
+        REQUIRE(scale.rows <= height);
+        // As for numbers; of one to three decades each has the same rows, and one end's row more.
+        REQUIRE(scale.rows >= (height - 2) / 1.5 - 1);
+        REQUIRE(scale.labels.size() >= 2);
+        for (std::size_t i = 0; i < scale.labels.size(); ++i) {
+          REQUIRE(scale.labels[i].starts_with("1e"));
+          const double exponent = std::stoi(scale.labels[i].substr(2));
+          REQUIRE(std::abs(scale.up(exponent) - (scale.tick_rows[i] + 0.5L)) < 1e-9L);
+        }
+        REQUIRE(scale.up(low) >= 0);
+        REQUIRE(scale.up(low + decades) < scale.rows);
+      }
+    }
+  }
+}
+
 TEST_CASE("vertical scale: ordinary labels are exactly in the middle") {
   const VerticalScale scale = vertical_scale({-1, 1}, 20);
   for (std::size_t i = 0; i < scale.labels.size(); ++i)
@@ -115,6 +141,13 @@ TEST_CASE("what is drawable") {
   CHECK(extent(3, 3) == std::pair{1.5, 4.5});
   CHECK(extent(-3, -3) == std::pair{-4.5, -1.5});
   CHECK(extent(0, 0) == std::pair{-1.0, 1.0});
+  const auto decades = [](double low, double high) {
+    const Extent e = drawable(low, high, Spacing::kLogarithmic);
+    return std::pair{static_cast<double>(e.low), static_cast<double>(e.high)};
+  };
+  CHECK(decades(-3.1, 2.0) == std::pair{-4.0, 2.0});
+  CHECK(decades(0.2, 0.3) == std::pair{0.0, 1.0});
+  CHECK(decades(-2, -2) == std::pair{-3.0, -1.0});
   CHECK(extent(1, 1 + 3e-15).first < 0.5);
   CHECK(extent(1, 1 + 4e-15).first == 1);
   constexpr double kLargest = std::numeric_limits<double>::max();

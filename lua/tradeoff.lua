@@ -1,0 +1,312 @@
+-- tradeoff{...}: what accuracy costs, method by method, against the best reference there is.
+local names = require "rotor.names"
+local text = require "rotor.text"
+
+-- As registered, whatever a script has made of the global names.
+local evolve, plot, write_csv = names.find("", "evolve").value, names.find("", "plot").value,
+  names.find("", "write_csv").value
+
+local tradeoff = {}
+
+local kScene = { "omega", "from", "to", "t", "max_step", "max_steps", "breaks", "equation", "f", "restart" }
+local kOwn = { "methods", "accuracies", "steps", "reference" }
+local kAccuracies = { 1e-4, 1e-6, 1e-8, 1e-10, 1e-12 }
+local kTimes = 100          -- at which a run is compared, the end among them
+local kBest = 1e-14         -- the accuracy asked of a reference
+local kLong, kMost = 0.02, 5  -- a run that takes longer, in seconds, is timed once, others so many times
+
+-- What is wrong with the options is raised as { message }.
+local function refuse(...) error({ string.format(...) }, 0) end
+
+-- What is asked for --------------------------------------------------------------------------------------------------
+
+local function check_keys(options)
+  if names.type_of(options) ~= "table" then
+    refuse("expected options in braces, got %s", names.type_of(options))
+  end
+  local known, all = {}, {}
+  for _, keys in ipairs { kScene, kOwn } do
+    for _, key in ipairs(keys) do known[key], all[#all + 1] = true, key end
+  end
+  for key in pairs(options) do
+    if not known[key] then
+      local guess = type(key) == "string" and names.suggest(key, all)
+      refuse("unknown option '%s'%s", tostring(key), guess and "; did you mean '" .. guess .. "'?" or "")
+    end
+  end
+end
+
+-- t0 and t1; evolve says what else is wrong with them.
+local function interval_of(options)
+  local t0, t1 = 0.0, options.to
+  if type(options.t) == "table" then t0, t1 = options.t[1], options.t[2] end
+  if math.type(t0) == nil or math.type(t1) == nil then refuse "give to = t1 or t = {t0, t1}" end
+  return t0 + 0.0, t1 + 0.0
+end
+
+local function positive_numbers(list, what)
+  if type(list) ~= "table" or #list == 0 then refuse("%s: expected a list of numbers, {0.1, 0.01}", what) end
+  for i, x in ipairs(list) do
+    if type(x) ~= "number" or x ~= x or x <= 0 or x == math.huge then
+      refuse("%s: item %d: expected a positive number, got %s", what, i, tostring(x))
+    end
+  end
+  return list
+end
+
+-- The runs to be made: { label =, options = for evolve }, for each method and each accuracy or step.
+local function runs_of(options)
+  local methods = options.methods or { "fgl", "dop853", options.steps and "rk4" or nil }
+  if type(methods) ~= "table" or #methods == 0 then
+    refuse('methods: expected a list as {"fgl", "rk4", {method = "rk4", equation = "euler"}}')
+  end
+  local runs = {}
+  for i, item in ipairs(methods) do
+    if type(item) == "string" then item = { method = item } end
+    if type(item) ~= "table" or type(item.method) ~= "string" then
+      refuse('methods: item %d: expected a name or {method = "rk4", equation = ...}', i)
+    end
+    local scene = {}
+    for _, key in ipairs(kScene) do scene[key] = options[key] end
+    for key, value in pairs(item) do scene[key] = value end
+    scene.label, scene.accuracies, scene.steps = nil, nil, nil
+    local label = item.label or item.method .. (scene.equation and ", " .. scene.equation or "")
+    local function add(key, values)
+      for _, value in ipairs(values) do
+        local whole = { [key] = value }
+        for name, given in pairs(scene) do whole[name] = given end
+        runs[#runs + 1] = { label = label, options = whole }
+      end
+    end
+    if item.method == "exact" then
+      runs[#runs + 1] = { label = label, options = scene }
+    elseif item.method == "rk4" then
+      local steps = item.steps or options.steps
+      if not steps then refuse('steps is missing: method "rk4" takes steps, as {0.1, 0.05}') end
+      add("step", positive_numbers(steps, "steps"))
+    else
+      add("accuracy", positive_numbers(item.accuracies or options.accuracies or kAccuracies, "accuracies"))
+    end
+  end
+  return runs
+end
+
+-- Runs ---------------------------------------------------------------------------------------------------------------
+
+-- The run, or nil and the error object of one that stopped; what was wrong with the request is refused.
+local function made(options)
+  local ended, run = pcall(evolve, options)
+  if ended then return run end
+  if names.type_of(run) == "stop" and run.reason ~= "interrupted" then return nil, run end
+  if type(run) == "string" then refuse("%s", run:match "evolve: (.*)" or run) end
+  error(run, 0)
+end
+
+local function median(list)
+  table.sort(list)
+  return (list[(#list + 1)//2] + list[#list//2 + 1])/2
+end
+
+local function timed(options)
+  local run, stop = made(options)
+  if not run then return nil, stop end
+  local seconds = { run.cost.seconds }
+  while seconds[1] < kLong and #seconds < kMost do seconds[#seconds + 1] = made(options).cost.seconds end
+  return run, median(seconds)
+end
+
+-- The angle between two attitudes, by their quaternions: good to the last digit at 0 too.
+local function distance(p, q)
+  local d = p:conj()*q
+  return 2*math.atan(math.sqrt(d.x^2 + d.y^2 + d.z^2), math.abs(d.w))
+end
+
+local function quaternion_of(value, t)
+  local kind = names.type_of(value)
+  if kind == "quaternion" then return value end
+  if kind == "rotation" then return value.quaternion end
+  refuse("reference: expected a rotation or a quaternion at t = %s, got %s", text.number(t), kind)
+end
+
+-- The greatest distance of a run from the reference at its times.
+local function achieved(run, reference)
+  local greatest = 0.0
+  for i, t in ipairs(reference.times) do
+    greatest = math.max(greatest, distance(reference.quaternions[i], run(t).quaternion))
+  end
+  return greatest
+end
+
+-- The reference ------------------------------------------------------------------------------------------------------
+
+local function tabulated(at, t0, t1)
+  local reference = { times = {}, quaternions = {} }
+  for i = 1, kTimes do
+    local t = i < kTimes and t0 + (t1 - t0)*(i/kTimes) or t1
+    reference.times[i], reference.quaternions[i] = t, at(t)
+  end
+  return reference
+end
+
+local function of_run(run, what, error_of_run)
+  local reference = tabulated(function(t) return run(t).quaternion end, run.t0, run.t1)
+  reference.text, reference.error = what, error_of_run
+  return reference
+end
+
+-- The exact model where there is one; else of the two best methods, which have nothing in common, the one whose
+-- certificate is better, with its distance from the other.
+local function best_reference(options)
+  local scene = {}
+  for _, key in ipairs(kScene) do scene[key] = options[key] end
+  scene.equation, scene.f, scene.restart = nil, nil, nil
+  scene.accuracy = kBest
+  local found, stopped = {}, nil
+  for _, method in ipairs { "auto", "dop853" } do
+    scene.method = method
+    local run, stop = made(scene)
+    if run and run.method == "exact" then return of_run(run, "exact: " .. run.why, run.error_estimate) end
+    stopped = stopped or stop
+    if run then found[#found + 1] = { run = run, error = run:certify().estimate } end
+  end
+  if #found == 0 then error(stopped, 0) end
+  table.sort(found, function(a, b) return a.error < b.error end)
+  local best = found[1]
+  local what = ("%s, certified to %.1e rad"):format(best.run.method, best.error)
+  local reference = of_run(best.run, what, best.error)
+  if found[2] then
+    reference.text = ("%s; %s differs by %.1e"):format(what, found[2].run.method,
+      achieved(found[2].run, reference))
+  end
+  return reference
+end
+
+local function reference_of(options, t0, t1)
+  local given = options.reference
+  if given == nil then return best_reference(options) end
+  if names.type_of(given) == "run" then
+    if given.t0 ~= t0 or given.t1 ~= t1 then
+      refuse("reference: the run given is from %s to %s, the scene from %s to %s", text.number(given.t0),
+        text.number(given.t1), text.number(t0), text.number(t1))
+    end
+    return of_run(given, "a run given, " .. given.method, given.error_estimate)
+  end
+  if type(given) ~= "function" then
+    refuse("reference: expected a run, or a function of t that gives a rotation, got %s", names.type_of(given))
+  end
+  local reference = tabulated(function(t) return quaternion_of(given(t), t) end, t0, t1)
+  reference.text = "a function given"
+  return reference
+end
+
+-- The value ----------------------------------------------------------------------------------------------------------
+
+local methods = {}
+local meta = { __name = "tradeoff", __index = methods }
+
+local kHeader = { "asked", "achieved", "estimate", "omega calls", "steps", "seconds" }
+
+local function cells(row)
+  local asked = row.asked and ("%.0e"):format(row.asked) or row.step and "step " .. text.number(row.step) or "-"
+  if row.stopped then return { asked, row.stopped } end
+  return { asked, ("%.1e"):format(row.achieved), ("%.1e"):format(row.estimate), tostring(row.omega_calls),
+    tostring(row.steps), ("%.2g"):format(row.seconds) }
+end
+
+-- The table, for the terminal.
+function meta.__tostring(self)
+  local first = #"method"
+  local widths, rows = {}, {}
+  for i, head in ipairs(kHeader) do widths[i] = #head end
+  for k, row in ipairs(self.rows) do
+    first, rows[k] = math.max(first, text.width(row.method)), cells(row)
+    for i, cell in ipairs(rows[k]) do
+      if i == 1 or not row.stopped then widths[i] = math.max(widths[i], #cell) end
+    end
+  end
+  local function line(name, row, stopped)
+    local parts = { text.pad(name, first) }
+    for i, cell in ipairs(row) do
+      parts[#parts + 1] = stopped and i > 1 and cell or (" "):rep(widths[i] - #cell) .. cell
+    end
+    return table.concat(parts, "  ")
+  end
+  local lines = {
+    ("tradeoff  t %s .. %s"):format(text.number(self.t0), text.number(self.t1)),
+    text.wrap(self.reference, "  reference  ", "             "),
+    line("method", kHeader),
+  }
+  for k, row in ipairs(self.rows) do lines[#lines + 1] = line(row.method, rows[k], row.stopped) end
+  return table.concat(lines, "\n")
+end
+
+--- Draws the achieved error over omega_calls or seconds, a mark for each method.
+function methods:plot(options)
+  options = options or {}
+  if names.type_of(self) ~= "tradeoff" then error("plot: before the colon: expected a tradeoff", 2) end
+  local cost = options.over or "omega_calls"
+  if cost ~= "omega_calls" and cost ~= "seconds" and cost ~= "steps" then
+    error('plot: over: expected "omega_calls", "seconds" or "steps", got "' .. tostring(cost) .. '"', 2)
+  end
+  local points = {}
+  for _, row in ipairs(self.rows) do
+    if row.achieved and row.achieved > 0 and row[cost] > 0 then points[#points + 1] = row end
+  end
+  if #points == 0 then error("plot: no row has an error and a cost to draw", 2) end
+  table.sort(points, function(a, b) return a[cost] < b[cost] end)
+  local x, y = {}, {}
+  for _, row in ipairs(points) do y[row.method] = {} end
+  -- Every second x is without a value: the points are not joined.
+  for _, row in ipairs(points) do
+    for _, achieved_or_gap in ipairs { row.achieved, 0/0 } do
+      x[#x + 1] = row[cost]
+      for method, list in pairs(y) do list[#x] = method == row.method and achieved_or_gap or 0/0 end
+    end
+  end
+  plot(x, y, { log = "xy", title = options.title, width = options.width, height = options.height,
+    x_label = (cost:gsub("_", " ")), y_label = "achieved error, rad" })
+end
+
+--- Writes the rows.
+function methods:csv(file)
+  local columns = { "method", "asked", "step", "achieved", "estimate", "omega_calls", "steps", "seconds" }
+  local data = {}
+  for _, name in ipairs(columns) do
+    data[name] = {}
+    for i, row in ipairs(self.rows) do data[name][i] = row[name] or 0/0 end
+  end
+  write_csv(file, data, { columns = columns })
+end
+
+local function measured(options)
+  check_keys(options)
+  local t0, t1 = interval_of(options)
+  local runs = runs_of(options)
+  local reference = reference_of(options, t0, t1)
+  local rows = {}
+  for i, one in ipairs(runs) do
+    local row = { method = one.label, asked = one.options.accuracy, step = one.options.step }
+    local run, seconds = timed(one.options)
+    if run then
+      row.achieved, row.estimate = achieved(run, reference), run.error_estimate
+      row.omega_calls, row.steps, row.seconds = run.cost.omega_calls, run.cost.steps, seconds
+    else
+      row.stopped = ("stopped at t = %s: %s"):format(text.number(seconds.t), seconds.reason)
+    end
+    rows[i] = row
+  end
+  return setmetatable({ rows = rows, reference = reference.text, reference_error = reference.error, t0 = t0, t1 = t1 },
+    meta)
+end
+
+--- The global function tradeoff{...}.
+function tradeoff.measure(options)
+  local ended, result = pcall(measured, options)
+  if ended then return result end
+  if type(result) == "table" and #result == 1 and not getmetatable(result) then
+    error("tradeoff: " .. result[1], 2)
+  end
+  error(result, 0)
+end
+
+return tradeoff

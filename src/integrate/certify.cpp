@@ -1,0 +1,234 @@
+#include "integrate/certify.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "integrate/sampler.hpp"
+#include "rotation/quaternion.hpp"
+#include "rotation/text.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr int kDeepest = 6;         // halvings of an interval: what omega may do within it
+constexpr double kResolved = 1e-4;  // of the integral of the norm: what its points may miss
+constexpr double kShortReach =
+    1e-9;  // of an interval: how far a jump is looked at from either side
+
+// Gauss and Legendre on [-1, 1].
+struct GaussRule {
+  Eigen::VectorXd nodes;
+  Eigen::VectorXd weights;
+  Eigen::MatrixXd coefficients;  // times values at the nodes: of P_0 ... P_(n-1)
+  Eigen::MatrixXd integrals;     // times values: from -1 to 2n even places, the last of them 1
+};
+
+// P_0 ... P_n at x.
+Eigen::VectorX<Extended> legendre(Eigen::Index n, Extended x) {
+  Eigen::VectorX<Extended> p(n + 1);
+  p(0) = 1;
+  p(1) = x;
+  for (Eigen::Index k = 1; k < n; ++k) {
+    const auto m = static_cast<Extended>(k);
+    p(k + 1) = ((2 * m + 1) * x * p(k) - m * p(k - 1)) / (m + 1);
+  }
+  return p;
+}
+
+GaussRule gauss_rule(Eigen::Index n) {
+  GaussRule rule{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::MatrixXd(n, n), {}};
+  const auto degree = static_cast<Extended>(n);
+  const auto derivative = [&](Extended x) {  // (1 - x^2) P_n' = n (P_(n-1) - x P_n)
+    const Eigen::VectorX<Extended> p = legendre(n, x);
+    return degree * (p(n - 1) - x * p(n)) / (1 - x * x);
+  };
+  Eigen::MatrixXd values(n, n);  // of P_k at node j
+  for (Eigen::Index j = 0; j < n; ++j) {
+    // Newton's method from a guess good to O(n^-3).
+    Extended x = -std::cos(std::numbers::pi_v<Extended> * (static_cast<Extended>(j) + 0.75L) /
+                           (degree + 0.5L));
+    for (int i = 0; i < 6; ++i) x -= legendre(n, x)(n) / derivative(x);
+    rule.nodes(j) = static_cast<double>(x);
+    rule.weights(j) = static_cast<double>(2 / ((1 - x * x) * derivative(x) * derivative(x)));
+    values.col(j) = legendre(n, x).head(n).cast<double>();
+  }
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double half = static_cast<double>(2 * k + 1) / 2;
+    rule.coefficients.row(k) = half * values.row(k).cwiseProduct(rule.weights.transpose());
+  }
+  // The integral of P_k from -1 to x is (P_(k+1) - P_(k-1)) / (2k + 1), of P_0 it is x + 1.
+  Eigen::MatrixXd of_legendre(2 * n, n);
+  for (Eigen::Index i = 0; i < 2 * n; ++i) {
+    const Extended x = static_cast<Extended>(i + 1) / degree - 1;
+    const Eigen::VectorXd p = legendre(n, x).cast<double>();
+    of_legendre(i, 0) = static_cast<double>(x + 1);
+    for (Eigen::Index k = 1; k < n; ++k) {
+      of_legendre(i, k) = (p(k + 1) - p(k - 1)) / static_cast<double>(2 * k + 1);
+    }
+  }
+  rule.integrals = of_legendre * rule.coefficients;
+  return rule;
+}
+
+class Measurement {
+ public:
+  Measurement(const Flow& flow, const AngularVelocity& omega, std::vector<double> breaks,
+              std::size_t n)
+      : flow_(flow),
+        generator_(omega, cost_, std::move(breaks)),
+        rule_(gauss_rule(static_cast<Eigen::Index>(n))),
+        defect_(rule_.nodes.size(), 3) {}
+
+  // The mesh interval from a to b.
+  void interval(double a, double b, bool first) {
+    if (a == b) return;  // of a run of no length
+    const double reach = kShortReach * (b - a);
+    if (!first) jump(a, reach);
+    jump(a + (b - a) / 2, reach);
+    for (double t = a; t != b;) {
+      const double next = generator_.clip(t, b);
+      panel(t, next, 0, std::numeric_limits<double>::infinity());
+      t = next;
+    }
+  }
+
+  // The error so far, as a rotation vector seen from the body that U~ moves.
+  const Vector& integral() const { return integral_; }
+  double greatest() const { return greatest_; }
+  double bound() const { return bound_; }
+  double rounding() const { return rounding_.estimate() + alike_; }
+  std::size_t omega_calls() const { return cost_.omega_calls; }
+
+ private:
+  // What the computed motion turns by at t itself: from just before to just after, less what its
+  // generator accounts for. `reach` has the sign of the motion.
+  void jump(double t, double reach) {
+    const double forward = std::copysign(std::numeric_limits<double>::infinity(), reach);
+    const double after = t + reach == t ? std::nextafter(t, forward) : t + reach;
+    const double before = t - reach == t ? std::nextafter(t, -forward) : t - reach;
+    const Quaternion turned = flow_.at(after) * flow_.at(before).conjugate();
+    const Vector turn = 2 * log(turned).vec() - (after - before) * flow_.generator(t);
+    add(flow_.at(t).conjugate() * turn);
+    bound_ += norm(turn);
+  }
+
+  // `missed_before`: by the points of the panel of which this is a half.
+  void panel(double a, double b, int depth, double missed_before) {
+    const double half = (b - a) / 2;
+    const double middle = a + half;
+    Eigen::VectorXd sizes(rule_.nodes.size());
+    Vector first;
+    Vector last;
+    double rate = 0;
+    for (Eigen::Index i = 0; i < sizes.size(); ++i) {
+      const double t = middle + half * rule_.nodes(i);
+      const Vector generator = generator_(t);
+      const Vector defect = half * (flow_.generator(t) - generator);
+      defect_.row(i) = (flow_.at(t).conjugate() * defect).transpose();
+      sizes(i) = norm(defect);
+      rate = std::max(rate, norm(generator));
+      if (i == 0) first = generator;
+      last = generator;
+    }
+    const double size = rule_.weights.dot(sizes);
+    const double rounding = RoundingError::of_step(b, b - a, first, last) + kEpsilon;
+    const double missed = unresolved();
+    const bool resolved = missed <= kResolved * size;
+    // Noise does not fall where its interval is halved.
+    const bool noise =
+        missed <= rounding || (missed <= 16 * rounding && missed > missed_before / 4);
+    if (!resolved && !noise && depth < kDeepest && middle != a && middle != b) {
+      panel(a, middle, depth + 1, missed);
+      panel(middle, b, depth + 1, missed);
+      return;
+    }
+    const Eigen::MatrixX3d partial = rule_.integrals * defect_;
+    for (const auto& row : partial.rowwise()) {
+      greatest_ = std::max(greatest_, norm(integral_ + row.transpose()));
+    }
+    add(partial.bottomRows(1).transpose());
+    bound_ += size;
+    rounding_.add(rounding, 1);
+    // A generator and an omega that do not change may be rounded alike all the way.
+    alike_ += kEpsilon * std::abs(b - a) * rate;
+    if (resolved) return;
+    bound_ += missed;
+    rounding_.add(missed, 1);
+  }
+
+  void add(const Vector& turn) {
+    integral_ += turn;
+    greatest_ = std::max(greatest_, norm(integral_));
+  }
+
+  // What n points do not see has degree 2n or more. The size of the last third of the coefficients
+  // is carried on to there, by the factor at which it has fallen from the third before. (Twice
+  // both: they are not known so well.)
+  double unresolved() const {
+    const Eigen::MatrixX3d c = rule_.coefficients * defect_;
+    const Eigen::Index third = c.rows() / 3;
+    const double last = c.bottomRows(third).norm();
+    const double before = c.middleRows(c.rows() - 2 * third, third).norm();
+    const double factor = 2 * last < before ? 2 * last / before : 1;
+    return 2 * last * std::pow(factor, 3.5);
+  }
+
+  const Flow& flow_;
+  Cost cost_;
+  Sampler generator_;
+  GaussRule rule_;
+  Eigen::MatrixX3d defect_;  // half the interval's length times R~^T (g~ - g), at the nodes
+  Vector integral_ = Vector::Zero();
+  double greatest_ = 0;
+  double bound_ = 0;
+  RoundingError rounding_;
+  double alike_ = 0;
+};
+
+void check(const CertifyOptions& options) {
+  if (options.n < 3 || options.n > 64) {
+    throw std::invalid_argument("n: expected 3 to 64 points an interval, got " +
+                                std::to_string(options.n));
+  }
+  for (const auto& [name, value] : {std::pair{"noise", options.noise}, {"bias", options.bias}}) {
+    if (!(value >= 0) || !std::isfinite(value)) {
+      throw std::invalid_argument(std::string(name) +
+                                  ": expected a bound in rad per unit of t, 0 or more, got " +
+                                  text(value));
+    }
+  }
+}
+
+}  // namespace
+
+Certificate certify(const Flow& flow, const AngularVelocity& omega, const CertifyOptions& options,
+                    const Observer& observer) {
+  check(options);
+  const std::vector<double> mesh = flow.mesh();
+  const auto [low, high] = std::minmax(mesh.front(), mesh.back());
+  Measurement measurement(flow, omega, omega.breaks(low, high), options.n);
+  for (std::size_t i = 0; i + 1 < mesh.size(); ++i) {
+    if (observer && !observer(mesh[i])) throw Interrupted();
+    measurement.interval(mesh[i], mesh[i + 1], i == 0);
+  }
+  Certificate result;
+  result.rounding = measurement.rounding();
+  result.at_rounding = measurement.greatest() <= result.rounding;
+  result.estimate = std::max(measurement.greatest(), result.rounding);
+  result.bound =
+      measurement.bound() + result.rounding + (options.noise + options.bias) * (high - low);
+  result.error = flow.at(mesh.back()) * measurement.integral();
+  if (omega.frame() == Frame::kBody) result.error = -result.error;
+  result.omega_calls = measurement.omega_calls();
+  return result;
+}
+
+}  // namespace rotor

@@ -1,0 +1,77 @@
+// What the fast integrator leaves behind: U at the ends of its steps, and what lies between when it
+// is asked for.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "integrate/fgl_kernel.hpp"
+#include "integrate/flow.hpp"
+#include "integrate/panel.hpp"
+#include "spin/angular_velocity.hpp"
+
+namespace rotor {
+
+/// U(t), piecewise: on half a step a polynomial of degree 17 through 18 values of the method. Both
+/// halves of a step are worked out when the first time within it is asked for, and kept until one
+/// in another step is. (Hence `at` and `generator` must not be called from two threads at once.)
+class FglFlow final : public Flow {
+ public:
+  FglFlow(const AngularVelocity& omega, double t0);
+
+  /// Appends a step whose samples were of omega itself, which will be called again; U at its end,
+  /// and a bound of the angle by which it turns.
+  void append(double end, const Quaternion& u, double turn);
+  /// Appends a panel of equal steps: U at the end of each.
+  void append(const Panel& panel, const std::vector<Quaternion>& u, double turn);
+  /// Appends a panel on which U turns about one direction.
+  void append_turn(const Panel& panel, double turn);
+
+  const Quaternion& last() const { return values_.back(); }
+  double t1() const { return spans_.empty() ? t0_ : spans_.back().end; }
+
+  Quaternion at(double t) const override;
+  Vector generator(double t) const override;
+  std::vector<double> mesh() const override;
+
+ private:
+  static constexpr std::size_t kNoPanel = static_cast<std::size_t>(-1);
+  struct Span {
+    double begin;
+    double end;
+    double turn;
+    std::size_t first;  // values_[first] is U at `begin`
+    std::size_t steps;  // 0 for a turn about one direction
+    std::size_t panel;
+  };
+  // Half a step: the Legendre series of (x, y, z, w).
+  using Piece = std::array<Eigen::Vector4d, kFglNodes + 2>;
+  struct Step {
+    std::size_t span;
+    std::size_t number;
+    std::array<Piece, 2> halves;
+  };
+  // Where t is in its half step, and dz/dt.
+  struct Place {
+    const Piece* piece;
+    double z;
+    double rate;
+  };
+
+  std::size_t span_at(double t) const;
+  Place place_of(std::size_t span, double t) const;
+  void fill(std::size_t span, std::size_t number) const;
+  FglInterior interior(const Span& span, double middle, double half) const;
+
+  AngularVelocity omega_;
+  double sign_;
+  double t0_;
+  std::vector<Span> spans_;
+  std::vector<Panel> panels_;
+  std::vector<Quaternion> values_;
+  mutable std::optional<Step> step_;
+};
+
+}  // namespace rotor

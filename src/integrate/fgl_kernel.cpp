@@ -1,0 +1,381 @@
+#include "integrate/fgl_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+#include "integrate/fgl_lanes.hpp"
+#include "integrate/fgl_tables.hpp"
+#include "integrate/gauss_tables.hpp"
+
+namespace rotor {
+namespace {
+
+using namespace fgl;
+
+// A pair of polynomials that holds up to `greatest`, or null.
+template <class Fits>
+ROTOR_INLINE const typename Fits::value_type* fit_for(const Fits& fits, double greatest) {
+  for (const auto& fit : fits) {
+    if (greatest <= fit.range) return &fit;
+  }
+  return nullptr;
+}
+
+template <class Fit, std::size_t N>
+ROTOR_INLINE void evaluate(const Fit& fit, const std::array<Four, N>& x, std::array<Four, N>& first,
+                           std::array<Four, N>& second) {
+  std::array<Four, N> u;
+  for (std::size_t i = 0; i < N; ++i) {
+    u[i] = x[i] * broadcast(2 / fit.range) - broadcast(1);
+    first[i] = broadcast(fit.first[fit.degree]);
+    second[i] = broadcast(fit.second[fit.degree]);
+  }
+  for (std::size_t k = fit.degree; k-- > 0;) {
+    const Four a = broadcast(fit.first[k]);
+    const Four b = broadcast(fit.second[k]);
+    for (std::size_t i = 0; i < N; ++i) {
+      first[i] = first[i] * u[i] + a;
+      second[i] = second[i] * u[i] + b;
+    }
+  }
+}
+
+ROTOR_INLINE FourLanes square(const Vectors& a) {
+  FourLanes s;
+  for (std::size_t i = 0; i < 4; ++i) {
+    s[i] = a[0][i] * a[0][i] + a[1][i] * a[1][i] + a[2][i] * a[2][i];
+  }
+  return s;
+}
+
+// f1 F x w + f2 F x (F x w): what is left of w after exp(F). False where F is too long.
+ROTOR_INLINE bool pass_on(const Vectors& f, Vectors& w) {
+  const FourLanes x = square(f);
+  const auto* fit = fit_for(kFerFits, greatest(x));
+  if (fit == nullptr) return false;
+  FourLanes f1;
+  FourLanes f2;
+  evaluate(*fit, x, f1, f2);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Four ax = f[1][i] * w[2][i] - f[2][i] * w[1][i];
+    const Four ay = f[2][i] * w[0][i] - f[0][i] * w[2][i];
+    const Four az = f[0][i] * w[1][i] - f[1][i] * w[0][i];
+    w[0][i] = f1[i] * ax + f2[i] * (f[1][i] * az - f[2][i] * ay);
+    w[1][i] = f1[i] * ay + f2[i] * (f[2][i] * ax - f[0][i] * az);
+    w[2][i] = f1[i] * az + f2[i] * (f[0][i] * ay - f[1][i] * ax);
+  }
+  return true;
+}
+
+using Quaternion4 = std::array<double, 4>;
+ROTOR_INLINE Quaternion4 times(const Quaternion4& a, const Quaternion4& b) {
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+          a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] + a[2] * b[0] + a[3] * b[1] - a[1] * b[3],
+          a[0] * b[3] + a[3] * b[0] + a[1] * b[2] - a[2] * b[1]};
+}
+
+// exp(F_1) exp(F_2) ... at both ends; F_k in lanes 2 k and 2 k + 1. Lanes beyond `lanes` are 0.
+struct Factors {
+  alignas(32) std::array<std::array<double, 2 * kMostLevels>, 3> ends;
+  std::size_t count = 0;
+
+  ROTOR_INLINE Factors() {
+    for (auto& component : ends) {
+      for (std::size_t i = 0; i < component.size(); i += 4) store(&component[i], broadcast(0));
+    }
+  }
+
+  ROTOR_INLINE void append(const Ends& e) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      ends[c][2 * count] = e[c][0];
+      ends[c][2 * count + 1] = e[c][1];
+    }
+    ++count;
+  }
+};
+
+ROTOR_INLINE Quaternion4 conjugate(const Quaternion4& q) { return {q[0], -q[1], -q[2], -q[3]}; }
+
+using BothEnds = std::array<Quaternion4, 2>;
+ROTOR_INLINE bool exponentials(const Factors& factors, BothEnds& v) {
+  constexpr std::size_t kFours = 2 * kMostLevels / 4;
+  std::array<std::array<Four, kFours>, 3> f;
+  std::array<Four, kFours> x;
+  Four most{};
+  for (std::size_t i = 0; i < kFours; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) f[c][i] = load(&factors.ends[c][4 * i]);
+    x[i] = f[0][i] * f[0][i] + f[1][i] * f[1][i] + f[2][i] * f[2][i];
+    most = larger(most, x[i]);
+  }
+  const auto* fit = fit_for(kExpFits, greatest({most, most, most, most}));
+  if (fit == nullptr) return false;
+  std::array<Four, kFours> cosine;
+  std::array<Four, kFours> sine;
+  evaluate(*fit, x, cosine, sine);
+  alignas(32) std::array<std::array<double, 2 * kMostLevels>, 4> q;
+  for (std::size_t i = 0; i < kFours; ++i) {
+    store(&q[0][4 * i], cosine[i]);
+    for (std::size_t c = 0; c < 3; ++c) store(&q[c + 1][4 * i], f[c][i] * sine[i]);
+  }
+  for (std::size_t end = 0; end < 2; ++end) {
+    v[end] = {q[0][end], q[1][end], q[2][end], q[3][end]};
+    for (std::size_t k = 1; k < factors.count; ++k) {
+      const std::size_t l = 2 * k + end;
+      v[end] = times(v[end], {q[0][l], q[1][l], q[2][l], q[3][l]});
+    }
+  }
+  return true;
+}
+
+// The errors of a step from the tails of its levels, which are taken to go on falling as they last
+// did. At the end of the step two things are wrong at each level: the terms of w of degree 32 and
+// more are lost, and those from 16 on act together with their like, of this level and the one
+// before, over integrals that make them smaller. Within a half of the step those from 16 on act
+// alone, as large as they are there. What noise explains is no error.
+class ErrorSum {
+ public:
+  ROTOR_INLINE explicit ErrorSum(double noise) : noise_(4 * noise * noise) {}
+  ROTOR_INLINE void add(const Tail& tail) {
+    const bool plateau = tail.last <= 4 * noise_ && tail.before <= 4 * noise_;
+    const double last = plateau || tail.last <= noise_ ? 0 : tail.last - noise_;
+    // Squared, over five degrees. A bend of w, the first, may by chance leave little in the last.
+    double fall = ratio(last, tail.before);
+    if (levels_ == 0) fall = std::max(fall, std::sqrt(ratio(last, tail.early)));
+    const double root = std::sqrt(std::sqrt(fall));
+    const double size = std::sqrt(last);
+    const double next = size * root;
+    const double safety = 1 + (levels_ == 0 ? kRough : 2) * root;
+    at_end_ += safety * (size * fall * root * root * root + next * (next + before_) / 32);
+    // Half as long: by r^2 less where terms fall fast, but no less where they fall slowly.
+    between_ += safety * next * std::min(1.0, fall + 44 * fall * fall) / 32;
+    before_ = next;
+    if (levels_++ == 0) {
+      left_out_ = next;
+      fall_ = fall;
+    }
+  }
+  // `rest` bounds what the levels that are not taken turn by: the integral of the next one's |w|.
+  ROTOR_INLINE FglStep step(const Quaternion4& turn, double rest) const {
+    return {turn, at_end_ + rest, between_, left_out_, fall_};
+  }
+
+ private:
+  ROTOR_INLINE static double ratio(double a, double b) { return a < b ? a / b : 1; }
+
+  // Random sums of waves have at most 1/2 of the error found, poles and jumps 1 to 2 times it; more
+  // only kinks between an end and the next node, where nothing is seen of them from this step.
+  static constexpr double kRough = 32;
+  double noise_;
+  double at_end_ = 0;
+  double between_ = 0;
+  double before_ = 0;
+  double left_out_ = 0;
+  double fall_ = 0;
+  int levels_ = 0;
+};
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr FglStep kTooLong{{1, 0, 0, 0}, kInfinity, kInfinity, 0, 0};
+
+ROTOR_INLINE FglStep step_body(const NodeVectors& nodes, double negligible, double noise) {
+  Vectors w = loaded(nodes);
+  Factors factors;
+  double most = greatest(square(w));
+  ErrorSum error(noise + kRounding * std::sqrt(most));
+  while (true) {
+    const Parts p = parts(w);
+    factors.append(integral_to_ends(p));
+    error.add(tail(p));
+    // |f1 F x w| <= |F||w|/2, and |F| <= |w|.
+    if (factors.count == kMostLevels || most / 2 <= negligible) break;
+    if (!pass_on(integral(p), w)) return kTooLong;
+    most = greatest(square(w));
+  }
+  BothEnds v;
+  if (!exponentials(factors, v)) return kTooLong;
+  return error.step(times(v[0], conjugate(v[1])), most);
+}
+
+using Quaternions = std::array<FourLanes, 4>;
+ROTOR_INLINE Quaternions times(const Quaternions& a, const Quaternions& b) {
+  Quaternions q;
+  for (std::size_t i = 0; i < 4; ++i) {
+    q[0][i] = a[0][i] * b[0][i] - a[1][i] * b[1][i] - a[2][i] * b[2][i] - a[3][i] * b[3][i];
+    q[1][i] = a[0][i] * b[1][i] + a[1][i] * b[0][i] + a[2][i] * b[3][i] - a[3][i] * b[2][i];
+    q[2][i] = a[0][i] * b[2][i] + a[2][i] * b[0][i] + a[3][i] * b[1][i] - a[1][i] * b[3][i];
+    q[3][i] = a[0][i] * b[3][i] + a[3][i] * b[0][i] + a[1][i] * b[2][i] - a[2][i] * b[1][i];
+  }
+  return q;
+}
+
+// exp(F) at the nodes. False where F is too long.
+ROTOR_INLINE bool exponential(const Vectors& f, Quaternions& q) {
+  const FourLanes x = square(f);
+  const auto* fit = fit_for(kExpFits, greatest(x));
+  if (fit == nullptr) return false;
+  FourLanes sine;
+  evaluate(*fit, x, q[0], sine);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < 4; ++i) q[c + 1][i] = f[c][i] * sine[i];
+  }
+  return true;
+}
+
+ROTOR_INLINE bool interior_body(const NodeVectors& nodes, FglInterior& out) {
+  Vectors w = loaded(nodes);
+  Factors factors;
+  Quaternions v{};
+  for (Four& x : v[0]) x = broadcast(1);
+  while (true) {
+    const Parts p = parts(w);
+    const Vectors f = integral(p);
+    factors.append(integral_to_ends(p));
+    Quaternions turn;
+    if (!exponential(f, turn)) return false;
+    v = times(v, turn);
+    if (factors.count == kMostLevels || greatest(square(w)) / 2 <= 1e-18) break;
+    if (!pass_on(f, w)) return false;
+  }
+  BothEnds ends;
+  if (!exponentials(factors, ends)) return false;
+  const Quaternion4 back = conjugate(ends[1]);
+  Quaternions start;
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (Four& x : start[c]) x = broadcast(back[c]);
+  }
+  v = times(v, start);
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t i = 0; i < 4; ++i) store(&out.nodes[c][4 * i], v[c][i]);
+  }
+  out.end = times(ends[0], back);
+  return true;
+}
+
+ROTOR_INLINE void legendre_body(double middle, double half, LegendreLanes& out) {
+  FourLanes z;
+  FourLanes p;
+  FourLanes before;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Four offset = load(&kFglTables.nodes[4 * i]) * broadcast(half);
+    z[i] = broadcast(middle) + offset;
+    z[2 + i] = broadcast(middle) - offset;
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    p[i] = broadcast(1);
+    before[i] = broadcast(0);
+  }
+  for (std::size_t n = 0; n < out.p.size(); ++n) {
+    const auto k = static_cast<double>(n);
+    const Four a = broadcast((2 * k + 1) / (k + 1));
+    const Four b = broadcast(k / (k + 1));
+    for (std::size_t i = 0; i < 4; ++i) {
+      store(&out.p[n][4 * i], p[i]);
+      const Four next = a * (z[i] * p[i]) - b * before[i];
+      before[i] = p[i];
+      p[i] = next;
+    }
+  }
+}
+
+ROTOR_INLINE void restrict_body(const LegendreLanes& legendre, const PanelTerms& c, Extended scale,
+                                NodeVectors& out, NodeVectors& mirrored) {
+  const auto rounded = static_cast<double>(scale);
+  const Four high = broadcast(rounded);
+  const Four low = broadcast(static_cast<double>(scale - Extended{rounded}));
+  for (std::size_t k = 0; k < 3; ++k) {
+    FourLanes even{};
+    FourLanes odd{};
+    for (std::size_t n = 0; n < legendre.p.size(); n += 2) {
+      const Four a = broadcast(c[k][n]);
+      const Four b = broadcast(c[k][n + 1]);
+      for (std::size_t i = 0; i < 4; ++i) {
+        even[i] += a * load(&legendre.p[n][4 * i]);
+        odd[i] += b * load(&legendre.p[n + 1][4 * i]);
+      }
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Four here = even[i] + odd[i];
+      const Four there = even[i] - odd[i];
+      store(&out.v[k][4 * i], high * here + low * here);
+      store(&mirrored.v[k][(4 * i + 8) % 16], high * there + low * there);
+    }
+  }
+}
+
+ROTOR_INLINE void parity_product_body(const double* even, const double* odd, const PanelTerms& f,
+                                      PanelTerms& out) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double* matrix = even;
+    for (std::size_t parity = 0; parity < 2; ++parity, matrix = odd) {
+      std::array<Four, 8> sum{};
+      for (std::size_t j = 0; j < 32; ++j) {
+        const double part = parity == 0 ? f[c][j] + f[c][32 + j] : f[c][j] - f[c][32 + j];
+        for (std::size_t i = 0; i < 8; ++i)
+          sum[i] += broadcast(part) * load(matrix + 32 * j + 4 * i);
+      }
+      for (std::size_t i = 0; i < 8; ++i) store(&out[c][32 * parity + 4 * i], sum[i]);
+    }
+  }
+}
+
+ROTOR_INLINE void slope_body(const NodeVectors& w, NodeSlopes& out) {
+  const Parts p = parts(loaded(w));
+  // The derivative of the even part is odd, and the other way round.
+  const Vectors f =
+      joined(product(kFglTables.of[0].slope, p.of[0]), product(kFglTables.of[1].slope, p.of[1]));
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < 4; ++i) store(&out.slopes.v[c][4 * i], f[c][i]);
+  }
+  out.ends = at_ends(p, {&kFglTables.of[0].value_at_1, &kFglTables.of[1].value_at_1}, 1);
+}
+
+// The same for every machine: only the instructions differ.
+#define ROTOR_FGL_KERNEL(kernel, ...)                                                           \
+  namespace kernel {                                                                            \
+  __VA_ARGS__ FglStep step(const NodeVectors& w, double negligible, double noise) {             \
+    return step_body(w, negligible, noise);                                                     \
+  }                                                                                             \
+  __VA_ARGS__ bool interior(const NodeVectors& w, FglInterior& out) {                           \
+    return interior_body(w, out);                                                               \
+  }                                                                                             \
+  __VA_ARGS__ void legendre(double middle, double half, LegendreLanes& out) {                   \
+    legendre_body(middle, half, out);                                                           \
+  }                                                                                             \
+  __VA_ARGS__ void restrict_to(const LegendreLanes& lanes, const PanelTerms& c, Extended scale, \
+                               NodeVectors& out, NodeVectors& mirrored) {                       \
+    restrict_body(lanes, c, scale, out, mirrored);                                              \
+  }                                                                                             \
+  __VA_ARGS__ void parity_product(const double* even, const double* odd, const PanelTerms& f,   \
+                                  PanelTerms& out) {                                            \
+    parity_product_body(even, odd, f, out);                                                     \
+  }                                                                                             \
+  __VA_ARGS__ void slope(const NodeVectors& w, NodeSlopes& out) { slope_body(w, out); }         \
+  constexpr FglKernel kKernel{step, interior, legendre, restrict_to, parity_product, slope};    \
+  }
+
+ROTOR_FGL_KERNEL(portable)
+#if defined(__x86_64__)
+ROTOR_FGL_KERNEL(avx2, [[gnu::target("avx2")]])
+#endif
+
+}  // namespace
+
+const FglKernel& portable_fgl_kernel() { return portable::kKernel; }
+
+const FglKernel& fgl_kernel() {
+#if defined(__x86_64__)
+  static const bool fast = [] {
+    const char* portable = std::getenv("ROTOR_PORTABLE");
+    return __builtin_cpu_supports("avx2") &&
+           (portable == nullptr || std::strcmp(portable, "1") != 0);
+  }();
+  if (fast) return avx2::kKernel;
+#endif
+  return portable::kKernel;
+}
+
+}  // namespace rotor

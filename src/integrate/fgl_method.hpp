@@ -1,0 +1,106 @@
+// What the two levels of the fast integrator share.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "integrate/control.hpp"
+#include "integrate/fgl_flow.hpp"
+#include "integrate/fgl_kernel.hpp"
+#include "integrate/propagator.hpp"
+#include "integrate/sampler.hpp"
+
+namespace rotor {
+
+/// The motion so far, and what its errors may be and are.
+class FglMethod {
+ public:
+  FglMethod(const Scene& scene, Sampler omega, std::shared_ptr<FglFlow> flow)
+      : omega_(std::move(omega)),
+        flow_(std::move(flow)),
+        between_allowed_(0.1 * scene.accuracy),
+        t0_(scene.t0),
+        t1_(scene.t1),
+        longest_(scene.max_step.value_or(
+            std::max({std::abs(scene.t1 - scene.t0) / 16, shortest_step(scene.t0),
+                      std::numeric_limits<double>::denorm_min()}))) {}
+
+  double error_estimate() const { return error_ + between_ + rounding_.estimate(); }
+
+ protected:
+  // As in Dop853: a jump of omega falls within some shortest step, and t resolves it no better. Far
+  // below the rounding of a step nothing is gained.
+  double allowed(const ErrorBudget& budget, double t, double t_next, double turn) const {
+    const double h = std::abs(t_next - t);
+    if (h <= 2 * shortest_step(t)) {
+      return turn < 1e-8 ? std::numeric_limits<double>::infinity() : budget.left();
+    }
+    return std::max(budget.allowed(h, std::abs(t_next - t0_)), kUnit / 16 * turn);
+  }
+  // The error of a step in units of what it may be.
+  double judged(const FglStep& step, double may) const {
+    return std::max(step.error / may, step.between / std::max(between_allowed_, may));
+  }
+  // The factor to the next step's length from that.
+  static double factor(double judged, double least, double most) {
+    if (judged == 0) return most;
+    if (!std::isfinite(judged)) return least;
+    return std::clamp(0.95 * std::pow(judged, -1.0 / 32), least, most);
+  }
+  // U after one more step.
+  static Quaternion after(const std::array<double, 4>& turn, const Quaternion& u) {
+    Quaternion next = Quaternion(turn[0], turn[1], turn[2], turn[3]) * u;
+    next.coeffs() *= 1.5 - 0.5 * next.squaredNorm();
+    return next;
+  }
+  // Of n steps: an ulp or so each for their factors and the product, at random; and what the sums
+  // of a step, the same every time where omega is constant, round in one direction.
+  void add_rounding(std::size_t n, double turn) {
+    rounding_.add(4 * kUnit, 3 * static_cast<double>(n));
+    error_ += kUnit / 2 * turn;
+  }
+
+  // The step, or nothing where it has to be shorter: omega is not finite somewhere in it, and
+  // shorter ones go on towards the place, never past it; the last one, very near, raises what omega
+  // did.
+  template <class Take>
+  std::optional<bool> attempt(double t, double t_next, Take take) {
+    const auto [low, high] = std::minmax(t, t_next);
+    if (!failure_ || failed_at_ < low || failed_at_ > high) {
+      try {
+        return take();
+      } catch (const NonFiniteOmega&) {
+        failure_ = std::current_exception();
+        failed_at_ = omega_.last();
+      }
+    }
+    if (high - low <= 1e-8 * std::abs(t1_ - t0_)) std::rethrow_exception(failure_);
+    return std::nullopt;
+  }
+
+  /// Half an ulp of 1.
+  static constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
+
+  Sampler omega_;
+  std::shared_ptr<FglFlow> flow_;
+  double between_allowed_;
+  double t0_;
+  double t1_;
+  double longest_;
+  double error_ = 0;
+  double between_ = 0;  // the greatest
+  RoundingError rounding_;
+
+ private:
+  std::exception_ptr failure_;
+  double failed_at_ = 0;
+};
+
+}  // namespace rotor

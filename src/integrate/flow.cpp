@@ -1,0 +1,47 @@
+#include "integrate/flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "rotation/text.hpp"
+
+namespace rotor {
+
+Quaternion FixedAxisFlow::at(double t) const {
+  const Extended half = angle(t) / 2;
+  Quaternion q;
+  q.w() = static_cast<double>(std::cos(half));
+  q.vec() = direction_ * static_cast<double>(std::sin(half));
+  return q;
+}
+
+UniformTurn::UniformTurn(const Vector& omega, double t0, double t1)
+    : FixedAxisFlow(omega.isZero(0) ? Vector(Vector::UnitX()) : unit(omega)),
+      rate_(omega.cast<Extended>().norm()),
+      t0_(t0),
+      t1_(t1) {
+  if (!std::isfinite(static_cast<double>(angle(t1)))) {
+    throw std::invalid_argument("omega (t1 - t0) is too large to be an angle");
+  }
+}
+
+std::vector<double> UniformTurn::mesh() const {
+  return even_mesh(t0_, t1_, static_cast<double>(std::abs(angle(t1_))));
+}
+
+std::vector<double> even_mesh(double t0, double t1, double turning) {
+  constexpr double kMost = 1e7;
+  const double count = std::max(1.0, std::ceil(turning / 5));
+  if (!(count <= kMost)) {
+    throw std::length_error("a turning of " + text(turning, 3) +
+                            " rad is too long to look through");
+  }
+  std::vector<double> mesh;
+  mesh.reserve(static_cast<std::size_t>(count) + 1);
+  for (double i = 0; i < count; ++i) mesh.push_back(t0 + (t1 - t0) * (i / count));
+  mesh.push_back(t1);
+  return mesh;
+}
+
+}  // namespace rotor
