@@ -38,8 +38,11 @@ std::vector<double> even_mesh(double t0, double t1, double turning) {
                             " rad is too long to look through");
   }
   std::vector<double> mesh;
-  mesh.reserve(static_cast<std::size_t>(count) + 1);
-  for (double i = 0; i < count; ++i) mesh.push_back(t0 + (t1 - t0) * (i / count));
+  const auto parts = static_cast<std::size_t>(count);
+  mesh.reserve(parts + 1);
+  for (std::size_t i = 0; i < parts; ++i) {
+    mesh.push_back(t0 + (t1 - t0) * (static_cast<double>(i) / count));
+  }
   mesh.push_back(t1);
   return mesh;
 }

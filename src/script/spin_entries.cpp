@@ -66,7 +66,6 @@ Results turning(lua_State* L) {
                                 required<double>(options, "rate", "the rate of the turning frame"));
 }
 
-constexpr const char* kAlong = "spin.along(direction, s) -> spin";
 Results along(lua_State* L) {
   const auto direction = argument<Vector>(L, 1);
   refuse_more_arguments(L, 2);

@@ -123,7 +123,7 @@ TEST_CASE("few points a step or many give the same") {
   const Scene s = by_dop853(1e-6, scene(turning(kPi).omega(), 0, 20));
   const Propagator run = propagate(s);
   const double found = certificate(run, s).estimate;
-  for (const std::size_t n : {3, 4, 5, 20, 64}) {
+  for (const std::size_t n : {3U, 4U, 5U, 20U, 64U}) {
     CAPTURE(n);
     CHECK(certificate(run, s, {.n = n}).estimate == Approx(found).epsilon(0.01));
   }

@@ -115,7 +115,7 @@ TEST_CASE("cubic samples of a cubic polynomial are that polynomial, with its der
   std::mt19937_64 random(7);
   const Vector c[] = {{1, -2, 0.5}, {0.25, 3, -1}, {-1, 0.125, 2}, {0.5, -0.75, 0.25}};
   const auto value = [&](double t) -> Vector { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); };
-  for (int trial = 0; trial < 20; ++trial) {
+  for (std::size_t trial = 0; trial < 20; ++trial) {
     const std::vector<double> times = random_times(random, 4 + trial, 1);
     std::vector<Vector> values;
     double size = 0;
