@@ -96,6 +96,12 @@ std::size_t hidden_bytes(const T&) {
 inline std::size_t hidden_bytes(const Spline& spline) { return 300 * spline.times().size(); }
 inline std::size_t hidden_bytes(const SharedRun& run) { return 400 * run->propagator().cost.steps; }
 
+/// As if Lua had allocated them: else garbage of this kind would outgrow the memory.
+inline void tell_collector(lua_State* L, std::size_t bytes) {
+  const auto kilobytes = static_cast<int>(std::min<std::size_t>(bytes >> 10, 1 << 30));
+  if (kilobytes > 0) lua_gc(L, LUA_GCSTEP, kilobytes);  // 0 would be a whole step
+}
+
 template <class T>
 struct ConvertUser {
   static const T& get(lua_State* L, int index) {
@@ -107,10 +113,7 @@ struct ConvertUser {
     void* block = lua_newuserdatauv(L, sizeof(T) + alignof(T), 1);
     new (aligned<T>(block)) T(value);
     luaL_setmetatable(L, metatable_key(UserType<T>::kName).c_str());
-    // As if Lua had allocated them: else garbage of this kind would outgrow the memory.
-    const auto kilobytes =
-        static_cast<int>(std::min<std::size_t>(hidden_bytes(value) >> 10, 1 << 30));
-    if (kilobytes > 0) lua_gc(L, LUA_GCSTEP, kilobytes);
+    tell_collector(L, hidden_bytes(value));
   }
   // Without its metatable the value is none any more: another finalizer may still hold it.
   static int collect(lua_State* L) {

@@ -19,10 +19,7 @@ namespace rotor::script {
 namespace {
 
 Results evolve_entry(lua_State* L) {
-  const SharedRun run = evolve_options(L);
-  Convert<SharedRun>::push(L, run);
-  // Lua sees a small value: its collector is told how large the run is, some 300 bytes a step.
-  lua_gc(L, LUA_GCSTEP, static_cast<int>(run->propagator().cost.steps * 300 / 1024));
+  Convert<SharedRun>::push(L, evolve_options(L));
   return {1};
 }
 

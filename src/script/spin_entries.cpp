@@ -278,13 +278,12 @@ Results sampled(lua_State* L) {
   }
   const std::vector<Gap> found = gaps(samples, gap);
   report_gaps(L, options, report_of(found, samples, gap));
-  // Lua sees a small value: its collector is told how large the samples are.
   const std::size_t bytes = samples.rows.size() * 80;
   push_spin<SampledSpin>(L, std::move(samples),
                          cubic ? Interpolation::kCubic : Interpolation::kLinear, hold);
   push_gaps(L, found);
   lua_setiuservalue(L, -2, 1);
-  lua_gc(L, LUA_GCSTEP, static_cast<int>(bytes / 1024));
+  tell_collector(L, bytes);
   return {1};
 }
 
@@ -388,7 +387,7 @@ constexpr Entry kFields[] = {
     {"frame", bound<frame>, "w.frame -> string", "\"space\" or \"body\": where omega is given.",
      "spin.along({0, 0, 1}, 2).frame --> \"space\""},
     {"description", bound<description>, "w.description -> string", "What it is.",
-     "spin.along({0, 0, 1}, 2).description --> \"(0.0, 0.0, 2.0)\""},
+     R"-(spin.along({0, 0, 1}, 2).description --> "(0.0, 0.0, 2.0)")-"},
     {"times", bound<times>, "w.times -> table",
      "The times of the samples, or of the attitudes, a new list each time; nil where there are "
      "none.",
