@@ -13,32 +13,6 @@ namespace {
 
 constexpr double kMostNodes = 1e7;
 constexpr double kLongestTurn = 6;  // between two nodes of a mesh
-constexpr std::size_t kTerms = kFglNodes + 2;
-
-// P_(n+2) = (scale z^2 - shift) P_n - lower P_(n-2).
-struct Recurrence {
-  double scale;
-  double shift;
-  double lower;
-};
-// Twice z P_n = up P_(n+1) + down P_(n-1), up = (n + 1)/(2 n + 1), down = n/(2 n + 1).
-constexpr std::array<Recurrence, kTerms> kBySquares = [] {
-  std::array<Recurrence, kTerms> table{};
-  for (std::size_t i = 0; i < kTerms; ++i) {
-    const auto n = static_cast<double>(i);
-    const double up = (n + 1) / (2 * n + 1);
-    const double down = n / (2 * n + 1);
-    const double scale = (2 * n + 3) / (n + 2) / up;
-    const double same = up * (n + 1) / (2 * n + 3) + (i == 0 ? 0 : down * n / (2 * n - 1));
-    const double lower = i < 2 ? 0 : down * (n - 1) / (2 * n - 1);
-    table[i] = {scale, scale * same, scale * lower};
-  }
-  return table;
-}();
-
-double place_in(double begin, double end, double t) {
-  return ((t - begin) - (end - t)) / (end - begin);
-}
 
 Quaternion exp_half(const ExtendedVector& v) {
   const Extended angle = v.norm();
@@ -49,27 +23,9 @@ Quaternion exp_half(const ExtendedVector& v) {
   return q.cast<double>();
 }
 
-// The interpolant at the 16 nodes, and P_16 (a + b z), which is 0 there, for the values at the
-// ends: 33 z P_16 = 17 P_17 + 16 P_15.
-void interpolate(const std::array<Eigen::Vector4d, kFglNodes>& at_nodes,
-                 const Eigen::Vector4d& at_begin, const Eigen::Vector4d& at_end,
-                 std::array<Eigen::Vector4d, kTerms>& terms) {
-  terms.fill(Eigen::Vector4d::Zero());
-  for (std::size_t j = 0; j < 8; ++j) {
-    const std::array<Eigen::Vector4d, 2> part = {at_nodes[j] + at_nodes[8 + j],
-                                                 at_nodes[j] - at_nodes[8 + j]};
-    for (std::size_t n = 0; n < kFglNodes; ++n) {
-      terms[n] += kFglTables.of[n % 2].terms[j][n / 2] * part[n % 2];
-    }
-  }
-  std::array<Eigen::Vector4d, 2> sum = {Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero()};
-  for (std::size_t n = 0; n < kFglNodes; ++n) sum[n % 2] += terms[n];
-  const Eigen::Vector4d a = (at_end + at_begin) / 2 - sum[0];
-  const Eigen::Vector4d b = (at_end - at_begin) / 2 - sum[1];
-  terms[15] += 16.0 / 33 * b;
-  terms[16] = a;
-  terms[17] = 17.0 / 33 * b;
-}
+using Quaternion4 = std::array<double, 4>;
+Quaternion4 components(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+Quaternion quaternion(const Quaternion4& q) { return {q[0], q[1], q[2], q[3]}; }
 
 }  // namespace
 
@@ -97,12 +53,6 @@ void FglFlow::append_turn(const Panel& panel, double turn) {
 }
 
 std::size_t FglFlow::span_at(double t) const {
-  if (step_) {
-    const Span& kept = spans_[step_->span];
-    if (std::min(kept.begin, kept.end) < t && t < std::max(kept.begin, kept.end)) {
-      return step_->span;
-    }
-  }
   const bool rising = t1() >= t0_;
   const auto next = std::upper_bound(
       spans_.begin(), spans_.end() - 1, t,
@@ -129,113 +79,96 @@ FglInterior FglFlow::interior(const Span& span, double middle, double half) cons
   return result;
 }
 
-// The two halves together are more accurate than the step, but it is the step's U that the run goes
-// on with: what they differ by is spread over the step, so that U is continuous and the generator
-// knows of it.
-void FglFlow::fill(std::size_t index, std::size_t number) const {
-  const Span& span = spans_[index];
-  const double half = 0.5 / static_cast<double>(span.steps);
-  const double begin = static_cast<double>(4 * number) * half - 1;
-  std::array<FglInterior, 2> motion;
-  for (std::size_t i = 0; i < 2; ++i) {
-    motion[i] = interior(span, begin + (i == 0 ? 1 : 3) * half, half);
+// The next half of the step. The two together are more accurate than the step, but it is the
+// step's U that the run goes on with: what they differ by is spread over the second, so that U is
+// continuous and the generator knows of it.
+void FglFlow::fill_next() const {
+  const Span& span = spans_[step_->span];
+  const double quarter = 0.5 / static_cast<double>(span.steps);
+  const auto place = static_cast<double>(4 * step_->number + 2 * step_->known + 1);
+  const FglInterior motion = interior(span, place * quarter - 1, quarter);
+  const std::size_t first = span.first + step_->number;
+  const Quaternion& from = step_->known == 0 ? values_[first] : step_->middle;
+  const Quaternion end = quaternion(motion.end) * from;
+  Quaternion turn(0, 0, 0, 0);
+  if (step_->known == 0) {
+    step_->middle = end;
+  } else {
+    const Quaternion miss(Eigen::Vector4d(values_[first + 1].coeffs() - end.coeffs()));
+    turn = miss * end.conjugate();
   }
-  const auto quaternion = [](const std::array<double, 4>& q) {
-    return Quaternion(q[0], q[1], q[2], q[3]);
-  };
-  const Quaternion u0 = values_[span.first + number];
-  const Quaternion u1 = values_[span.first + number + 1];
-  const Quaternion middle = quaternion(motion[0].end) * u0;
-  const Quaternion end = quaternion(motion[1].end) * middle;
-  const Eigen::Vector4d miss = u1.coeffs() - end.coeffs();
-  const Quaternion turn = Quaternion(miss) * end.conjugate();
-  // (1 + s turn) q, s the part of the step that is done.
-  const auto corrected = [&](const Quaternion& q, double s) {
-    return Eigen::Vector4d(q.coeffs() + s * (turn * q).coeffs());
-  };
-  step_.emplace();
-  step_->span = index;
-  step_->number = number;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Quaternion& from = i == 0 ? u0 : middle;
-    const double done = i == 0 ? 0 : 0.5;
-    std::array<Eigen::Vector4d, kFglNodes> at_nodes;
-    for (std::size_t l = 0; l < kFglNodes; ++l) {
-      const auto z = static_cast<double>(fgl_node(l));
-      const auto& n = motion[i].nodes;
-      at_nodes[l] =
-          corrected(Quaternion(n[0][l], n[1][l], n[2][l], n[3][l]) * from, done + (1 + z) / 4);
-    }
-    interpolate(at_nodes, corrected(from, done), corrected(i == 0 ? middle : end, done + 0.5),
-                step_->halves[i]);
-  }
+  fgl_kernel().fit(motion, components(from), components(turn), step_->halves[step_->known]);
+  ++step_->known;
 }
 
-FglFlow::Place FglFlow::place_of(std::size_t index, double t) const {
+// Whether t is, beyond rounding, in the half that was asked for last: which one it is in must not
+// depend on that.
+bool FglFlow::is_in_half(double t) const {
+  return half_.piece != nullptr && std::abs(half_.z(t)) < 1 - 1e-9;
+}
+
+// Finds the half that t is in; false where that is no step, but a turn about one direction.
+bool FglFlow::find_half(double t) const {
+  const std::size_t index = span_at(t);
   const Span& span = spans_[index];
+  if (span.steps == 0) return false;
+  half_.piece = nullptr;
   const auto steps = static_cast<double>(span.steps);
-  const double place = (place_in(span.begin, span.end, t) + 1) * steps;
-  const double half = std::clamp(std::floor(place), 0.0, 2 * steps - 1);
+  const Half around{nullptr, span.begin, span.end, 2 * steps, 2 * steps};
+  const double half = std::clamp(std::floor(around.z(t) / 2), 0.0, 2 * steps - 1);
   const auto number = static_cast<std::size_t>(half) / 2;
-  if (!step_ || step_->span != index || step_->number != number) fill(index, number);
-  return {&step_->halves[static_cast<std::size_t>(half) % 2], 2 * (place - half) - 1,
-          4 * steps / (span.end - span.begin)};
+  const auto which = static_cast<std::size_t>(half) % 2;
+  if (!step_ || step_->span != index || step_->number != number) {
+    step_.emplace();
+    step_->span = index;
+    step_->number = number;
+  }
+  while (step_->known <= which) fill_next();
+  half_ = around;
+  half_.piece = &step_->halves[which];
+  half_.shift -= 2 * half + 1;
+  return true;
 }
 
-// Even and odd terms apart, each by Clenshaw's recurrence for
-// P_(n+2) = (scale z^2 - shift) P_n - lower P_(n-2): two short chains of operations, not a long
-// one.
 Quaternion FglFlow::at(double t) const {
   if (t == t0_) return Quaternion::Identity();
-  const std::size_t span = span_at(t);
-  if (spans_[span].steps == 0) {
-    const Panel& panel = panels_[spans_[span].panel];
-    const Quaternion turn = exp_half(panel.integral(panel.place(t)));
-    return (turn * values_[spans_[span].first]).normalized();
+  if (!is_in_half(t) && !find_half(t)) {
+    const Span& span = spans_[span_at(t)];
+    const Panel& panel = panels_[span.panel];
+    return (exp_half(panel.integral(panel.place(t))) * values_[span.first]).normalized();
   }
-  const Place place = place_of(span, t);
-  const Piece& c = *place.piece;
-  const double square = place.z * place.z;
-  std::array<Eigen::Vector4d, 2> b1 = {c[kTerms - 2], c[kTerms - 1]};
-  std::array<Eigen::Vector4d, 2> b2 = {Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero()};
-  for (std::size_t n = kTerms - 2; n > 0; n -= 2) {
-    for (std::size_t parity = 0; parity < 2; ++parity) {
-      const Recurrence& here = kBySquares[n - 2 + parity];
-      const Eigen::Vector4d b = (c[n - 2 + parity] - kBySquares[n + parity].lower * b2[parity]) +
-                                (here.scale * square - here.shift) * b1[parity];
-      b2[parity] = b1[parity];
-      b1[parity] = b;
-    }
-  }
-  return Quaternion(b1[0] + place.z * b1[1]).normalized();
+  Quaternion u;
+  fgl_kernel().value(*half_.piece, half_.z(t), u.coeffs().data());
+  return u;
 }
 
-// Clenshaw's recurrence for P_(n+1) = alpha z P_n - beta P_(n-1), and its derivative by z.
+// Clenshaw's recurrence for T_(n+1) = 2 z T_n - T_(n-1), and its derivative by z.
 Vector FglFlow::generator(double t) const {
   if (spans_.empty()) return sign_ * omega_(t);
-  const std::size_t span = span_at(t);
-  if (spans_[span].steps == 0) {
-    const Panel& panel = panels_[spans_[span].panel];
+  if (!is_in_half(t) && !find_half(t)) {
+    const Panel& panel = panels_[spans_[span_at(t)].panel];
     return panel.at(static_cast<double>(panel.place(t)));
   }
-  const Place place = place_of(span, t);
+  const double z = half_.z(t);
+  const auto term = [&](std::size_t n) {
+    return Eigen::Map<const Eigen::Vector4d>(half_.piece->terms[n].data());
+  };
   Eigen::Vector4d b1 = Eigen::Vector4d::Zero();
   Eigen::Vector4d b2 = b1;
   Eigen::Vector4d d1 = b1;
   Eigen::Vector4d d2 = b1;
-  for (std::size_t n = kTerms; n-- > 0;) {
-    const auto k = static_cast<double>(n);
-    const double alpha = (2 * k + 1) / (k + 1);
-    const double beta = (k + 1) / (k + 2);
-    const Eigen::Vector4d d = alpha * b1 + alpha * place.z * d1 - beta * d2;
-    const Eigen::Vector4d b = (*place.piece)[n] + alpha * place.z * b1 - beta * b2;
+  for (std::size_t n = half_.piece->terms.size(); n-- > 1;) {
+    const Eigen::Vector4d d = 2 * b1 + 2 * z * d1 - d2;
+    const Eigen::Vector4d b = term(n) + 2 * z * b1 - b2;
     b2 = b1;
     b1 = b;
     d2 = d1;
     d1 = d;
   }
-  const Quaternion slope(d1);
-  return 2 * place.rate / b1.squaredNorm() * (slope * Quaternion(b1).conjugate()).vec();
+  const Eigen::Vector4d u = term(0) + z * b1 - b2;
+  const Eigen::Vector4d u_rate = b1 + z * d1 - d2;
+  const double rate = 2 * half_.halves / (half_.end - half_.begin);  // dz/dt
+  return 2 * rate / u.squaredNorm() * (Quaternion(u_rate) * Quaternion(u).conjugate()).vec();
 }
 
 std::vector<double> FglFlow::mesh() const {

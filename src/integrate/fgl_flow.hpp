@@ -14,9 +14,9 @@
 
 namespace rotor {
 
-/// U(t), piecewise: on half a step a polynomial of degree 17 through 18 values of the method. Both
-/// halves of a step are worked out when the first time within it is asked for, and kept until one
-/// in another step is. (Hence `at` and `generator` must not be called from two threads at once.)
+/// U(t), piecewise: on half a step a polynomial of degree 17 through 18 values of the method. It is
+/// worked out when a time within it is asked for, and kept until one in another step is. (Hence
+/// `at` and `generator` must not be called from two threads at once.)
 class FglFlow final : public Flow {
  public:
   FglFlow(const AngularVelocity& omega, double t0);
@@ -46,23 +46,27 @@ class FglFlow final : public Flow {
     std::size_t steps;  // 0 for a turn about one direction
     std::size_t panel;
   };
-  // Half a step: the Legendre series of (x, y, z, w).
-  using Piece = std::array<Eigen::Vector4d, kFglNodes + 2>;
   struct Step {
     std::size_t span;
     std::size_t number;
-    std::array<Piece, 2> halves;
+    std::array<FglPiece, 2> halves;
+    std::size_t known;  // the halves that are: none, the first, both
+    Quaternion middle;  // U there, where the first is
   };
-  // Where t is in its half step, and dz/dt.
-  struct Place {
-    const Piece* piece;
-    double z;
-    double rate;
+  // A half of the kept step that was asked for last, and how t lies in it.
+  struct Half {
+    const FglPiece* piece = nullptr;
+    double begin = 0;  // of the span
+    double end = 0;
+    double halves = 0;  // as many are in the span,
+    double shift = 0;   // and this one's place is -shift, from 1 - halves to halves - 1
+    double z(double t) const { return ((t - begin) - (end - t)) / (end - begin) * halves + shift; }
   };
 
   std::size_t span_at(double t) const;
-  Place place_of(std::size_t span, double t) const;
-  void fill(std::size_t span, std::size_t number) const;
+  bool is_in_half(double t) const;
+  bool find_half(double t) const;
+  void fill_next() const;
   FglInterior interior(const Span& span, double middle, double half) const;
 
   AngularVelocity omega_;
@@ -72,6 +76,7 @@ class FglFlow final : public Flow {
   std::vector<Panel> panels_;
   std::vector<Quaternion> values_;
   mutable std::optional<Step> step_;
+  mutable Half half_;
 };
 
 }  // namespace rotor

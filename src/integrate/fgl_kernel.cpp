@@ -212,6 +212,12 @@ ROTOR_INLINE Quaternions times(const Quaternions& a, const Quaternions& b) {
   return q;
 }
 
+ROTOR_INLINE Quaternions everywhere(const Quaternion4& q) {
+  Quaternions lanes;
+  for (std::size_t c = 0; c < 4; ++c) lanes[c].fill(broadcast(q[c]));
+  return lanes;
+}
+
 // exp(F) at the nodes. False where F is too long.
 ROTOR_INLINE bool exponential(const Vectors& f, Quaternions& q) {
   const FourLanes x = square(f);
@@ -243,11 +249,7 @@ ROTOR_INLINE bool interior_body(const NodeVectors& nodes, FglInterior& out) {
   BothEnds ends;
   if (!exponentials(factors, ends)) return false;
   const Quaternion4 back = conjugate(ends[1]);
-  Quaternions start;
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (Four& x : start[c]) x = broadcast(back[c]);
-  }
-  v = times(v, start);
+  v = times(v, everywhere(back));
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t i = 0; i < 4; ++i) store(&out.nodes[c][4 * i], v[c][i]);
   }
@@ -255,16 +257,80 @@ ROTOR_INLINE bool interior_body(const NodeVectors& nodes, FglInterior& out) {
   return true;
 }
 
+// The interpolant at the 16 nodes, and (a + b z) P_16, which is 0 there, for the values at the
+// ends.
+ROTOR_INLINE void fit_body(const FglInterior& v, const Quaternion4& from, const Quaternion4& turn,
+                           FglPiece& out) {
+  Quaternions q;
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t i = 0; i < 4; ++i) q[c][i] = load(&v.nodes[c][4 * i]);
+  }
+  q = times(q, everywhere(from));
+  const Quaternions off = times(everywhere(turn), q);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Four s = broadcast(0.5) + broadcast(0.5) * load(&kFglTables.nodes[4 * i]);
+    for (std::size_t c = 0; c < 4; ++c) q[c][i] += s * off[c][i];
+  }
+  const PartsOf<4> p = parts(q);
+  alignas(32) std::array<std::array<std::array<double, 8>, 4>, 2> terms;
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    const auto part = product(kFglTables.of[parity].terms, p.of[parity]);
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (std::size_t i = 0; i < 2; ++i) store(&terms[parity][c][4 * i], part[c][i]);
+    }
+  }
+  const Quaternion4 end = times(v.end, from);
+  const Quaternion4 off_end = times(turn, end);
+  for (std::size_t c = 0; c < 4; ++c) {
+    const std::size_t to = (c + 3) % 4;
+    std::array<double, 2> sum{};
+    for (std::size_t n = 0; n < kFglNodes; ++n) {
+      out.terms[n][to] = terms[n % 2][c][n / 2];
+      sum[n % 2] += out.terms[n][to];
+    }
+    const double at_1 = end[c] + off_end[c];
+    const double a = (at_1 + from[c]) / 2 - sum[0];
+    const double b = (at_1 - from[c]) / 2 - sum[1];
+    out.terms[16][to] = 0;
+    out.terms[17][to] = 0;
+    for (std::size_t n = 0; n < out.terms.size(); ++n) {
+      out.terms[n][to] += kFglTables.vanishing[n] * (n % 2 == 0 ? a : b);
+    }
+  }
+}
+
+// Four short chains of operations, not a long one: the terms n = 4 k + r, which for each r follow
+// T_(n+4) = 2 T_4 T_n - T_(n-4) (Clenshaw), and T_(-n) = T_n.
+ROTOR_INLINE void value_body(const FglPiece& piece, double z, double* out) {
+  const double t2 = 2 * z * z - 1;
+  const double t3 = z * (2 * t2 - 1);
+  const double t4 = 2 * t2 * t2 - 1;
+  const auto& c = piece.terms;
+  std::array<Four, 4> b1 = {load(c[16].data()), load(c[17].data()), broadcast(0), broadcast(0)};
+  std::array<Four, 4> b2{};
+  for (std::size_t n = 16; n > 0; n -= 4) {
+    for (std::size_t r = 0; r < 4; ++r) {
+      const Four b = (load(c[n - 4 + r].data()) - b2[r]) + broadcast(2 * t4) * b1[r];
+      b2[r] = b1[r];
+      b1[r] = b;
+    }
+  }
+  const Four u =
+      ((b1[0] - broadcast(t4) * b2[0]) + (broadcast(z) * b1[1] - broadcast(t3) * b2[1])) +
+      (broadcast(t2) * (b1[2] - b2[2]) + (broadcast(t3) * b1[3] - broadcast(z) * b2[3]));
+  const double off = sum(u * u) - 1;
+  // 1/sqrt(1 + off), without the root where the next term, 5 off^3/16, is lost in rounding.
+  const double scale =
+      std::abs(off) < 1e-6 ? 1 - off * (0.5 - 0.375 * off) : 1 / std::sqrt(1 + off);
+  store(out, broadcast(scale) * u);
+}
+
 ROTOR_INLINE void legendre_body(double middle, double half, LegendreLanes& out) {
   FourLanes z;
   FourLanes p;
   FourLanes before;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Four offset = load(&kFglTables.nodes[4 * i]) * broadcast(half);
-    z[i] = broadcast(middle) + offset;
-    z[2 + i] = broadcast(middle) - offset;
-  }
   for (std::size_t i = 0; i < 4; ++i) {
+    z[i] = broadcast(middle) + load(&kFglTables.nodes[4 * i]) * broadcast(half);
     p[i] = broadcast(1);
     before[i] = broadcast(0);
   }
@@ -342,6 +408,13 @@ ROTOR_INLINE void slope_body(const NodeVectors& w, NodeSlopes& out) {
   __VA_ARGS__ bool interior(const NodeVectors& w, FglInterior& out) {                           \
     return interior_body(w, out);                                                               \
   }                                                                                             \
+  __VA_ARGS__ void fit(const FglInterior& v, const Quaternion4& from, const Quaternion4& turn,  \
+                       FglPiece& out) {                                                         \
+    fit_body(v, from, turn, out);                                                               \
+  }                                                                                             \
+  __VA_ARGS__ void value(const FglPiece& piece, double z, double* out) {                        \
+    value_body(piece, z, out);                                                                  \
+  }                                                                                             \
   __VA_ARGS__ void legendre(double middle, double half, LegendreLanes& out) {                   \
     legendre_body(middle, half, out);                                                           \
   }                                                                                             \
@@ -354,7 +427,8 @@ ROTOR_INLINE void slope_body(const NodeVectors& w, NodeSlopes& out) {
     parity_product_body(even, odd, f, out);                                                     \
   }                                                                                             \
   __VA_ARGS__ void slope(const NodeVectors& w, NodeSlopes& out) { slope_body(w, out); }         \
-  constexpr FglKernel kKernel{step, interior, legendre, restrict_to, parity_product, slope};    \
+  constexpr FglKernel kKernel{step,        interior,       fit,  value, legendre,               \
+                              restrict_to, parity_product, slope};                              \
   }
 
 ROTOR_FGL_KERNEL(portable)

@@ -11,7 +11,7 @@ namespace rotor {
 inline constexpr std::size_t kFglNodes = 16;
 
 /// A vector at the 16 nodes of Gauss and Legendre on [-1, 1], [component][lane]: lane l < 8 at
-/// +x_l, lane 8 + l at -x_l, x_l = kGauss16Nodes[l]: fgl_node(l).
+/// +x_l, lane 8 + l at -x_l, x_l = kGauss16Nodes[l].
 struct alignas(32) NodeVectors {
   std::array<std::array<double, kFglNodes>, 3> v;
 };
@@ -51,6 +51,11 @@ struct alignas(32) FglInterior {
   std::array<double, 4> end;
 };
 
+/// The Chebyshev series of U = (x, y, z, w) over a part of a step, z from -1 to 1: [n][component].
+struct alignas(32) FglPiece {
+  std::array<std::array<double, 4>, kFglNodes + 2> terms;
+};
+
 /// The same arithmetic, compiled for one kind of machine. Results do not depend on the kind, to the
 /// last bit: no operation is contracted or reordered.
 struct FglKernel {
@@ -59,6 +64,12 @@ struct FglKernel {
   FglStep (*step)(const NodeVectors& w, double negligible, double noise);
   /// False where w is too long for the method.
   bool (*interior)(const NodeVectors& w, FglInterior& out);
+  /// The polynomial of degree 17 through (1 + s turn) V from at the nodes and at both ends, where
+  /// s goes from 0 to 1.
+  void (*fit)(const FglInterior& v, const std::array<double, 4>& from,
+              const std::array<double, 4>& turn, FglPiece& out);
+  /// Its value, made unit: (x, y, z, w).
+  void (*value)(const FglPiece& piece, double z, double* out);
   /// Legendre's polynomials at the nodes of the interval middle +- half.
   void (*legendre)(double middle, double half, LegendreLanes& out);
   /// The Legendre series c, times `scale`, at the nodes of that interval and of its mirror image

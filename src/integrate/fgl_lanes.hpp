@@ -52,12 +52,15 @@ ROTOR_INLINE Vectors loaded(const NodeVectors& nodes) {
 }
 
 // Even and odd parts, twice: f(x) + f(-x), f(x) - f(-x).
-struct Parts {
-  alignas(32) std::array<std::array<std::array<double, 8>, 3>, 2> of;
+template <std::size_t N>
+struct PartsOf {
+  alignas(32) std::array<std::array<std::array<double, 8>, N>, 2> of;
 };
-ROTOR_INLINE Parts parts(const Vectors& w) {
-  Parts p;
-  for (std::size_t c = 0; c < 3; ++c) {
+using Parts = PartsOf<3>;
+template <std::size_t N>
+ROTOR_INLINE PartsOf<N> parts(const std::array<FourLanes, N>& w) {
+  PartsOf<N> p;
+  for (std::size_t c = 0; c < N; ++c) {
     for (std::size_t i = 0; i < 2; ++i) {
       store(&p.of[0][c][4 * i], w[c][i] + w[c][2 + i]);
       store(&p.of[1][c][4 * i], w[c][i] - w[c][2 + i]);
@@ -67,13 +70,14 @@ ROTOR_INLINE Parts parts(const Vectors& w) {
 }
 
 // The product of one of the squares with one of the parts.
-ROTOR_INLINE std::array<TwoLanes, 3> product(const FglTables::Square& m,
-                                             const std::array<std::array<double, 8>, 3>& f) {
-  std::array<TwoLanes, 3> sum{};
+template <std::size_t N>
+ROTOR_INLINE std::array<TwoLanes, N> product(const FglTables::Square& m,
+                                             const std::array<std::array<double, 8>, N>& f) {
+  std::array<TwoLanes, N> sum{};
   for (std::size_t j = 0; j < 8; ++j) {
     const Four low = load(m[j].data());
     const Four high = load(m[j].data() + 4);
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < N; ++c) {
       const Four x = broadcast(f[c][j]);
       sum[c][0] += low * x;
       sum[c][1] += high * x;

@@ -20,15 +20,13 @@ class Stretch {
   /// The part around the place z, of half the length `half` (both for -1 to 1).
   Stretch part(double z, double half) const { return {middle_, z * half_, low_, half * half_}; }
 
-  /// The double nearest to the place z, or its neighbour.
-  double time(Extended z) const { return middle_ + static_cast<double>(z) * half_; }
+  /// The double nearest to a node, or its neighbour.
+  double time(const Node& node) const { return middle_ + node.place * half_; }
   /// By how much that is too late, in units of half the stretch.
-  double late(Extended z) const {
+  double late(const Node& node) const {
     if (half_ == 0) return 0;
-    const auto place = static_cast<double>(z);
-    const double offset = place * half_;
-    return (rest(middle_, offset, middle_ + offset) - low_) / half_ +
-           static_cast<double>(Extended{place} - z);
+    const double offset = node.place * half_;
+    return (rest(middle_, offset, middle_ + offset) - low_) / half_ + node.more;
   }
 
  private:
@@ -48,23 +46,21 @@ class Stretch {
 struct StepSamples {
   NodeVectors w;  // the generator times half the step
   NodeSlopes slopes;
-  double greatest;  // |w|
-  double steepest;  // |dw/dz|
 };
 
 /// 16 calls of f, Vector(double). The nodes are rounded to doubles: a sample is off by its slope
 /// times that, to first order. Far from t = 0 the slopes themselves are the better for it.
 template <class Function>
 StepSamples sample_step(Function&& f, const Stretch& stretch) {
-  StepSamples s{};
+  StepSamples s;
   double latest = 0;
   NodeVectors given;
   std::array<double, kFglNodes> late{};
   for (std::size_t l = 0; l < kFglNodes; ++l) {
-    const Extended z = fgl_node(l);
-    late[l] = stretch.late(z);
+    const Node& node = kFglNodePlaces[l];
+    late[l] = stretch.late(node);
     latest = std::max(latest, std::abs(late[l]));
-    const Vector w = stretch.half() * f(stretch.time(z));
+    const Vector w = stretch.half() * f(stretch.time(node));
     for (std::size_t c = 0; c < 3; ++c) given.v[c][l] = w(static_cast<Eigen::Index>(c));
   }
   s.w = given;
@@ -75,11 +71,22 @@ StepSamples sample_step(Function&& f, const Stretch& stretch) {
       for (std::size_t l = 0; l < kFglNodes; ++l) s.w.v[c][l] = given.v[c][l] - late[l] * d[c][l];
     }
   }
-  for (std::size_t l = 0; l < kFglNodes; ++l) {
-    s.greatest = std::max(s.greatest, std::hypot(s.w.v[0][l], s.w.v[1][l], s.w.v[2][l]));
-    s.steepest = std::max(s.steepest, std::hypot(d[0][l], d[1][l], d[2][l]));
-  }
   return s;
+}
+
+/// The greatest length of the vectors.
+inline double longest(const NodeVectors& w) {
+  double square = 0;
+  for (std::size_t l = 0; l < kFglNodes; ++l) {
+    square =
+        std::max(square, w.v[0][l] * w.v[0][l] + w.v[1][l] * w.v[1][l] + w.v[2][l] * w.v[2][l]);
+  }
+  if (square > 1e-280 && square < 1e300) return std::sqrt(square);
+  double length = 0;
+  for (std::size_t l = 0; l < kFglNodes; ++l) {
+    length = std::max(length, std::hypot(w.v[0][l], w.v[1][l], w.v[2][l]));
+  }
+  return length;
 }
 
 }  // namespace rotor

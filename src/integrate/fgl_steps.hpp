@@ -9,6 +9,7 @@
 #include <memory>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "integrate/fgl_method.hpp"
 #include "integrate/fgl_samples.hpp"
@@ -20,6 +21,7 @@ class FglSteps : public FglMethod {
  public:
   FglSteps(const Scene& scene, Sampler omega, std::shared_ptr<FglFlow> flow)
       : FglMethod(scene, std::move(omega), std::move(flow)),
+        accuracy_(scene.accuracy),
         budget_(0.9 * scene.accuracy, std::abs(t1_ - t0_)) {}
 
   double next(double t) {
@@ -47,8 +49,12 @@ class FglSteps : public FglMethod {
     const Vector begin = stretch.half() * omega_.at_node(t, t_next);
     const StepSamples samples = sample_step(omega_, stretch);
     const Vector end = stretch.half() * omega_.at_node(t_next, t);
-    const double turn = 2 * samples.greatest;
-    const double model = noise_model(t, t_next, samples);
+    const double greatest = longest(samples.w);
+    const double late = lateness(t, t_next, longest(samples.slopes.slopes));
+    const double turn = 2 * greatest;
+    // The standard deviation of the samples where they and their argument, as a rule some multiple
+    // of t, are rounded to double, by 1/2 ulp at most.
+    const double model = (kUnit * greatest + late) / std::numbers::sqrt3;
     const double noise = noise_share(t, t_next) * model;
     const double may = allowed(budget_, t, t_next, turn);
     // What was too large for the noise that is measured may still be as large as the model's.
@@ -58,22 +64,62 @@ class FglSteps : public FglMethod {
     const double h = std::abs(t_next - t);
     const double error = judged(step, may);
     h_ = std::min({h * factor(error, 0.3, after_rejection_ ? 1 : 4), longest_,
-                   h * (kLongestHalf / samples.greatest)});
+                   h * (kLongestHalf / greatest)});
     if (h > 2 * shortest_step(t)) h_ = std::max(h_, 1.5 * shortest_step(t));
     after_rejection_ = !(error <= 1);
     if (after_rejection_) return false;
+    const std::size_t n = parts(h, turn, 0.55 * noise);
+    if (n == 1) {
+      append(t_next, step, turn);
+    } else {
+      take_parts(t, t_next, n, may / 64, noise, turn);
+    }
 
     budget_.spend(step.error);
     error_ += step.error;
     between_ = std::max(between_, step.between);
-    add_rounding(1, turn);
+    add_rounding(n, turn);
     // Off by up to half an ulp to either side of where they are meant, samples on a curve are off
     // to one side of it, by a third of half the square, after the correction of first order.
-    if (turn > 0) error_ += std::pow(lateness(t, t_next, samples), 2) / (3 * samples.greatest);
+    if (turn > 0) error_ += late * late / (3 * greatest);
     // 0.55^2: the square sum of the weights; twice, as eight samples tell the noise no better.
-    rounding_.add(1.1 * noise, 3);
-    flow_->append(t_next, after(step.turn, flow_->last()), turn);
+    rounding_.add(1.1 * noise / std::sqrt(static_cast<double>(n)), 3);
     return true;
+  }
+
+  // How many times as many samples as a step of length h needs are worth taking. The rounding of
+  // its samples makes an error of the standard deviation `noise` a component, rad; where that, at
+  // random, would exceed the accuracy by the end of the run, more of them average it: up to four
+  // times as many, and not where what rounds in one direction is more than that.
+  std::size_t parts(double h, double turn, double noise) const {
+    const double steps = std::abs(t1_ - t0_) / h;
+    const double expected = noise * std::sqrt(3 * steps);
+    const double enough = std::max(accuracy_, kUnit / 2 * turn * steps);
+    return expected <= enough
+               ? 1
+               : static_cast<std::size_t>(std::ceil(std::min(4.0, std::pow(expected / enough, 2))));
+  }
+
+  void append(double end, const FglStep& step, double turn) {
+    flow_->append(end, after(step.turn, flow_->last()), turn);
+  }
+
+  // The same step on n times as many samples. All of them before any is appended: omega may fail.
+  void take_parts(double t, double t_next, std::size_t n, double negligible, double noise,
+                  double turn) {
+    std::vector<double> times = {t};
+    std::vector<FglStep> steps;
+    times.reserve(n + 1);
+    steps.reserve(n);
+    for (std::size_t i = 1; i <= n; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(n);
+      times.push_back(i == n ? t_next : t + (t_next - t) * part);
+      const Stretch stretch(times[i - 1], times[i]);
+      steps.push_back(fgl_kernel().step(sample_step(omega_, stretch).w, negligible, noise));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      append(times[i + 1], steps[i], turn / static_cast<double>(n));
+    }
   }
 
   // What w itself is at the ends of the step shows what its terms hide of a jump or a bend near by:
@@ -91,17 +137,11 @@ class FglSteps : public FglMethod {
     return std::max(off * step.fall / 8, off > 64 * step.left_out ? off / 54 : 0);
   }
 
-  // By how much w changes within half an ulp of the time.
-  static double lateness(double t, double t_next, const StepSamples& samples) {
-    if (samples.steepest == 0) return 0;
+  // By how much w changes within half an ulp of the time, where its slope by z is `steepest`.
+  static double lateness(double t, double t_next, double steepest) {
+    if (steepest == 0) return 0;
     const double latest = std::max(std::abs(t), std::abs(t_next));
-    return kUnit * latest / std::abs(0.5 * t_next - 0.5 * t) * samples.steepest;
-  }
-
-  // The standard deviation of the samples of w where they and their argument, as a rule some
-  // multiple of t, are rounded to double, by 1/2 ulp at most.
-  static double noise_model(double t, double t_next, const StepSamples& samples) {
-    return (kUnit * samples.greatest + lateness(t, t_next, samples)) / std::numbers::sqrt3;
+    return kUnit * latest / std::abs(0.5 * t_next - 0.5 * t) * steepest;
   }
 
   // The noise that there is, in units of the model's: not all arguments are rounded. Measured every
@@ -144,6 +184,7 @@ class FglSteps : public FglMethod {
 
   static constexpr double kLongestHalf = 7;  // rad; the kernel takes some 7.4
 
+  double accuracy_;
   ErrorBudget budget_;
   double h_ = 0;
   bool after_rejection_ = false;

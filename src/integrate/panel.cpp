@@ -16,8 +16,7 @@ namespace {
 constexpr std::size_t kHalf = Panel::kNodes / 2;
 constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
 
-// 0 ... 31 at +x_i, 32 ... 63 at -x_i.
-Extended node(std::size_t i) { return i < kHalf ? kGauss64Nodes[i] : -kGauss64Nodes[i - kHalf]; }
+constexpr std::array<Node, Panel::kNodes> kPlaces = both_sides(kGauss64Nodes);
 
 // Matrices for FglKernel::parity_product: from values to the terms of the series, and to slopes.
 struct PanelTables {
@@ -98,7 +97,7 @@ constexpr double kRough = 32;
 
 double Panel::time(std::size_t i) const {
   if (i >= kNodes) return i == kNodes ? begin_ : end_;
-  return Stretch(begin_, end_).time(node(i));
+  return Stretch(begin_, end_).time(kPlaces[i]);
 }
 
 void Panel::set(const Samples& samples) {
@@ -114,7 +113,7 @@ void Panel::set(const Samples& samples) {
   std::array<double, kNodes> late;
   double latest = 0;
   for (std::size_t i = 0; i < kNodes; ++i) {
-    late[i] = stretch.late(node(i));
+    late[i] = stretch.late(kPlaces[i]);
     latest = std::max(latest, std::abs(late[i]));
   }
   const PanelTerms given = values;

@@ -19,7 +19,7 @@ using namespace rotor;
 
 using Generator = std::function<Vector(double)>;
 
-double node(std::size_t lane) { return static_cast<double>(fgl_node(lane)); }
+double node(std::size_t lane) { return kFglNodePlaces[lane].place; }
 
 NodeVectors sampled(const Generator& g, double begin, double end) {
   NodeVectors w{};
@@ -122,6 +122,17 @@ TEST_CASE("the best instructions give the digits of the portable ones, to the la
     fgl_kernel().slope(w, slopes);
     portable_fgl_kernel().slope(w, plain_slopes);
     CHECK(std::memcmp(&slopes, &plain_slopes, sizeof slopes) == 0);
+    FglPiece piece{};
+    FglPiece plain_piece{};
+    const std::array<double, 4> from = {0.5, -0.1, 0.7, 0.5};
+    fgl_kernel().fit(inside, from, {0, 1e-9, 0, -1e-9}, piece);
+    portable_fgl_kernel().fit(inside, from, {0, 1e-9, 0, -1e-9}, plain_piece);
+    CHECK(std::memcmp(&piece, &plain_piece, sizeof piece) == 0);
+    std::array<double, 4> value{};
+    std::array<double, 4> plain_value{};
+    fgl_kernel().value(piece, 0.3, value.data());
+    portable_fgl_kernel().value(piece, 0.3, plain_value.data());
+    CHECK(value == plain_value);
   }
 }
 
@@ -168,6 +179,35 @@ TEST_CASE("the interior of a step leads to its end, and each of its values is a 
     const auto& n = inside.nodes;
     CHECK(error_between(Quaternion(n[0][l], n[1][l], n[2][l], n[3][l]), by_steps(g, 0, t, 8)) <
           1e-13);
+  }
+}
+
+TEST_CASE("the polynomial of a part goes through its values at the nodes and at both ends") {
+  const Generator g = [](double t) { return Vector(1, std::cos(2 * t), -t); };
+  FglInterior inside{};
+  REQUIRE(fgl_kernel().interior(sampled(g, 0, 2), inside));
+  const Quaternion from = Quaternion(0.1, 0.7, -0.5, 0.5).normalized();
+  for (const double size : {0.0, 1e-9, 0.1}) {  // 0.1: far from unit, so that the root is needed
+    CAPTURE(size);
+    const std::array<double, 4> turn = {-size, 2 * size, 0, size};
+    FglPiece piece{};
+    fgl_kernel().fit(inside, {from.w(), from.x(), from.y(), from.z()}, turn, piece);
+    const auto off = [&](double z, const Quaternion& v) {
+      Quaternion u;
+      fgl_kernel().value(piece, z, u.coeffs().data());
+      CHECK(std::abs(u.norm() - 1) < 4e-16);
+      Quaternion there = v * from;
+      there.coeffs() += (1 + z) / 2 * (quaternion(turn) * there).coeffs();
+      return error_between(u, there.normalized());
+    };
+    // 18 terms, each rounded a few times, none greater than 1.
+    const double rounding = 18 * 4 * std::ldexp(1, -53);
+    for (std::size_t l = 0; l < kFglNodes; ++l) {
+      const auto& n = inside.nodes;
+      CHECK(off(node(l), {n[0][l], n[1][l], n[2][l], n[3][l]}) < rounding);
+    }
+    CHECK(off(-1, Quaternion::Identity()) < rounding);
+    CHECK(off(1, quaternion(inside.end)) < rounding);
   }
 }
 
