@@ -52,7 +52,7 @@ class FglMethod {
   static double factor(double judged, double least, double most) {
     if (judged == 0) return most;
     if (!std::isfinite(judged)) return least;
-    return std::clamp(0.95 * std::pow(judged, -1.0 / 32), least, most);
+    return std::clamp(0.9 * std::pow(judged, -1.0 / 32), least, most);
   }
   // U after one more step.
   static Quaternion after(const std::array<double, 4>& turn, const Quaternion& u) {
