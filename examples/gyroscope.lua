@@ -1,7 +1,8 @@
 -- The log of a gyroscope, evolved: where the body has got to, how far it has turned, and what it cost.
 --
---   rotor examples/gyroscope.lua FILE        a CSV file with columns of t and of the rates of x, y and z
---   rotor examples/gyroscope.lua             a log made of a known motion, checked against that motion
+--   rotor examples/gyroscope.lua FILE [DRIFT]  a CSV file with columns of t and of the rates of x, y and z, which may
+--                                              be wrong by up to DRIFT, deg/s (default 0.01)
+--   rotor examples/gyroscope.lua               a log made of a known motion, checked against that motion
 --
 -- A gyroscope measures omega in the body frame. The columns and their units are found by their names; where a log
 -- has others, name them: spin.sampled(file, {columns = {t = ..., x = ..., y = ..., z = ...}, unit = "deg/s"}).
@@ -24,7 +25,8 @@ local function total_turn(w)
   return sum
 end
 
-local function report(w, run)
+-- drift: by how much the rates may be wrong, rad/s.
+local function report(w, run, drift)
   local times = w.times
   local first, last = times[1], times[#times]
   local attitude = run(last).rotation:canonical()
@@ -39,6 +41,8 @@ local function report(w, run)
   local yaw, pitch, roll = attitude:euler_angles "zyx"
   print(("euler zyx    %.4f, %.4f, %.4f deg"):format(yaw/deg, pitch/deg, roll/deg))
   print(("error        about %.1e rad, of the integration"):format(run.error_estimate))
+  print(("bound        %.2f deg, were the rates wrong by up to %g deg/s all the way"):format(
+    run:certify{ bias = drift }.bound/deg, drift/deg))
   print(("cost         %d omega calls, %d steps, %.3f s"):format(run.cost.omega_calls, run.cost.steps,
     run.cost.seconds))
   run:plot("angle", { height = 16 })
@@ -46,7 +50,7 @@ end
 
 if arg[1] then
   local w = spin.sampled(arg[1])
-  report(w, follow(w))
+  report(w, follow(w), (tonumber(arg[2]) or 0.01)*deg)
   return
 end
 
@@ -57,7 +61,7 @@ local alpha, theta, bias = 2*pi, 0.2, { 0.5, -0.25, 0.125 }
 local start = rotation({ 1, 0, 0 }, theta)
 local w = spin.sampled(here .. "data/coning_gyro.csv", { bias = bias })
 local run = follow(w, start)
-report(w, run)
+report(w, run, 0.01*deg)
 
 theorem("a coning body is back where it began", function()
   local times = w.times
@@ -74,4 +78,15 @@ theorem("a coning body is back where it began", function()
   -- A cubic spline is of fourth order: (alpha h)^2, some 1/200, times nearer, and its constant 5/384 is below 1/12.
   local cubic = follow(spin.sampled(here .. "data/coning_gyro.csv", { bias = bias, interpolation = "cubic" }), start)
   near(0, off(cubic), off(run)/100, "distance from the start, cubic spline")
+end)
+
+theorem("rates wrong by at most b rotate the end by at most the certified bound", function()
+  local drift = 0.01*deg
+  local bound = run:certify{ bias = drift }.bound
+  local last = w.times[#w.times]
+  for _, wrong in ipairs{ vec(1, 0, 0), vec(0, 0, -1), vec(1, -1, 1)/sqrt(3) } do
+    local other = spin.sampled(here .. "data/coning_gyro.csv", { bias = vec(bias) - wrong*(drift/deg) })
+    local off = follow(other, start)(last).rotation:distance(run(last).rotation)
+    holds(off <= bound, ("off by %.4f of %.4f deg"):format(off/deg, bound/deg))
+  end
 end)

@@ -38,6 +38,11 @@ void check(const Scene& scene) {
   for (const double t : scene.breaks) {
     require(std::isfinite(t), "breaks must be finite, got " + text(t));
   }
+  const bool generalized = scene.equation == Equation::kGeneralized;
+  require(!generalized || scene.f, R"(equation = "generalized" needs f)");
+  require(generalized || !scene.f, R"(f is for equation = "generalized")");
+  require(!scene.restart || generalized || scene.equation == Equation::kEuler,
+          R"(restart is for equation = "euler" or "generalized")");
 }
 
 // Whether there is a cheaper model than integrating, and what it is called; "" if not.

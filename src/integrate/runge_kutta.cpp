@@ -26,11 +26,6 @@ void require(bool holds, const std::string& message) {
 // Calls follow(equation) with that of the scene.
 template <class Follow>
 void with_equation(const Scene& scene, const Follow& follow) {
-  const bool generalized = scene.equation == Equation::kGeneralized;
-  require(!generalized || scene.f, R"(equation = "generalized" needs f)");
-  require(generalized || !scene.f, R"(f is for equation = "generalized")");
-  require(!scene.restart || generalized || scene.equation == Equation::kEuler,
-          R"(restart is for equation = "euler" or "generalized")");
   switch (scene.equation) {
     case Equation::kQuaternion:
     case Equation::kModifiedGibbs:  // with the cosine that it needs, they are the same

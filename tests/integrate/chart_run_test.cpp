@@ -329,6 +329,9 @@ TEST_CASE("what an equation does not take is refused") {
   s.equation = Equation::kGibbs;
   s.restart = true;
   refuse(s, {"restart", "\"euler\""});
+  s = scene(kAboutK, 0, 1);
+  s.restart = true;  // nothing would restart
+  refuse(s, {"restart", "\"euler\""});
   s = by_dop853(1e-6, scene(kAboutK, 0, 1));
   s.equation = Equation::kEuler;
   s.f = cubic_angle();

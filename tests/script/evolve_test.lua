@@ -1,0 +1,130 @@
+-- What evolve takes besides omega and an interval: equations, f, restart, breaks, points, and an omega that fails.
+local directory = arg[0]:match "^(.*/)" or "./"
+package.path = directory .. "?.lua;" .. package.path
+local support = require "support"
+local equal, contains = support.equal, support.contains
+
+local function refused(options)
+  local ended, message = pcall(evolve, options)
+  equal(ended, false, "an error is expected")
+  return message
+end
+
+-- [P15], whose motion is known.
+local a = 2*pi/40
+local function turning(t) return cos(a*t), sin(a*t), 0 end
+local from = rotation({ 1, 1, 1 }, 1)
+local truth = evolve{ omega = spin.turning{ vector = { 1, 0, 0 }, about = { 0, 0, 1 }, rate = a }, from = from,
+  to = 30 }
+
+local function off(run, t) return run(t).rotation:distance(truth(t).rotation) end
+
+-- Every equation follows the same motion, to what was asked. [P10] up to theta = pi, some t = 2.5.
+for _, name in ipairs{ "quaternion", "euler", "modified_gibbs", "gibbs", "axis_angle", "body_points" } do
+  local run = evolve{ omega = turning, from = from, to = 2.4, equation = name, accuracy = 1e-9 }
+  holds(off(run, 2.4) <= 1e-9, name)
+  equal(run.method, name == "quaternion" and "fgl" or "dop853", name)
+  local steps = evolve{ omega = turning, from = from, to = 2.4, equation = name, method = "rk4", step = 0.01 }
+  holds(off(steps, 2.4) <= 2*steps.error_estimate, name .. " by rk4")
+end
+
+-- [P4] with an f of the user's: odd; its derivatives are found by jets, and where its domain ends.
+local function by_f(f, to)
+  return evolve{ omega = turning, from = from, to = to, equation = "generalized", f = f }
+end
+for name, f in pairs{
+  ["2 tan(x/4)"] = function(x) return 2*tan(x/4) end,
+  ["x + x^3/50"] = function(x) return x + x^3/50 end,
+  ["sin(x/2)"] = function(x) return sin(x/2) end } do
+  holds(off(by_f(f, 2.4), 2.4) <= 1e-10, "f = " .. name)
+end
+local stop = refused{ omega = turning, from = from, to = 30, equation = "generalized",
+  f = function(x) return sin(x/2) end }
+equal(stop.reason, "singularity")
+-- f' is some (pi - x)/4 there: f, known to an ulp, tells x to the 1e-10 that is asked down to pi - x = 4e-6.
+near(pi, stop.run(stop.t).angle, 1e-3, "sin(x/2) has an inverse up to pi")
+contains(tostring(stop), "singular at theta = 3.14159")
+contains(tostring(stop), "where the domain of f ends")
+
+-- Each stops at its own singularity and keeps the part done.
+stop = refused{ omega = turning, from = from, to = 30, equation = "gibbs" }
+equal(stop.reason, "singularity")
+contains(tostring(stop), "[P10] is singular at theta = pi")
+near(pi, stop.run(stop.t).angle, 1e-4, "the end reached")
+holds(not stop.run.complete, "incomplete")
+local along_k = { omega = { 0, 0, 1 }, to = 10, equation = "euler" }
+stop = refused(along_k)
+equal(stop.reason, "singularity")
+near(2*pi, stop.t, 1e-4, "[P7] at 2 pi")
+contains(tostring(stop), "restart = true")
+
+-- The restart rule, E (1 - 2 pi/|E|): the same operator all the way, past 2 pi three times.
+along_k.restart, along_k.to = true, 20
+local restarted = evolve(along_k)
+for t = 0, 20, 0.5 do
+  holds(restarted(t).rotation:distance(rotation({ 0, 0, 1 }, t)) <= 1e-10, "restarted, t = " .. t)
+end
+local through = evolve{ omega = turning, from = from, to = 30, equation = "euler", restart = true, method = "rk4",
+  step = 0.01 }
+holds(off(through, 30) <= 2*through.error_estimate, "restarted by rk4")
+local by_tangent = evolve{ omega = { 0, 0, 1 }, to = 20, equation = "generalized", restart = true,
+  f = function(x) return 4*tan(x/4) end }
+holds(by_tangent(20).rotation:distance(rotation({ 0, 0, 1 }, 20)) <= 1e-10, "[P4] restarted")
+
+-- Breaks: steps end there. omega jumps at 1 and at 2: unknown, that costs calls; known, none.
+local function jumping(t)
+  if t < 1 then return 0, 0, 1 end
+  if t < 2 then return 0, 2, 0 end
+  return 0, 4 - t, 0
+end
+local turned = rotation({ 0, 1, 0 }, 2 + 1.5)*rotation({ 0, 0, 1 }, 1)  -- the integrals of the pieces
+local plain = evolve{ omega = jumping, to = 3 }
+local broken = evolve{ omega = jumping, to = 3, breaks = { 2, 1, 7 } }
+holds(plain(3).rotation:distance(turned) <= 1e-10, "without breaks")
+-- Three pieces, on each of which omega has one direction: a few roundings in all.
+holds(broken(3).rotation:distance(turned) <= 1e-14, "with breaks")
+holds(broken.cost.omega_calls < plain.cost.omega_calls, "breaks save calls")
+local backward = evolve{ omega = jumping, from = broken(3).rotation, t = { 3, 0 }, breaks = { 1, 2 } }
+holds(backward(0).rotation:distance(rotation({ 0, 0, 1 }, 0)) <= 1e-14, "backward in t")
+
+-- Points of the body, by their places at the start [P1].
+local pointed = evolve{ omega = { 0, 0, pi }, to = 1, points = { { 1, 0, 0 }, vec(0, 0, 2) } }
+near(vec(-1, 0, 0), pointed(1).points[1], 2e-16, "half a turn about k")
+equal(pointed(0.3).points[2], vec(0, 0, 2))
+equal(pointed(0).points[1], vec(1, 0, 0))
+equal(#evolve{ omega = { 0, 0, 1 }, to = 1 }(1).points, 0)
+
+-- What is refused, and how.
+contains(tostring(refused{ omega = turning, to = 1, equation = "quaternoin" }), 'expected one of "quaternion", "euler"')
+contains(tostring(refused{ omega = turning, to = 1, equation = "generalized" }), "needs f")
+contains(tostring(refused{ omega = turning, to = 1, f = sin }), 'f is for equation = "generalized"')
+contains(tostring(refused{ omega = turning, to = 1, restart = true }), 'restart is for equation = "euler"')
+contains(tostring(refused{ omega = turning, to = 1, equation = "euler", method = "fgl" }), "follows the quaternion")
+contains(tostring(refused{ omega = turning, to = 1, equation = "generalized", f = cos }), "odd function")
+contains(tostring(refused{ omega = turning, to = 1, breaks = { 0/0 } }), "breaks must be finite, got nan")
+contains(tostring(refused{ omega = turning, to = 1, breaks = 1 }), "breaks: expected a list, got number 1")
+contains(tostring(refused{ omega = turning, to = 1, points = { 1, 0, 0 } }), "points: item 1: expected a vec")
+
+-- omega that raises at its nth call: by every method the reason is its own, and the part done is kept and true.
+for _, method in ipairs{ "fgl", "dop853", "rk4" } do
+  for n = 1, 100 do
+    local calls = 0
+    local function failing(t)
+      calls = calls + 1
+      if calls == n then error "no more" end
+      return turning(t)
+    end
+    local what = method .. ", call " .. n
+    local options = { omega = failing, from = from, to = 30, method = method }
+    if method == "rk4" then options.step = 0.05 end
+    local failure = refused(options)
+    equal(failure.reason, "omega failed", what)
+    contains(tostring(failure), "no more")
+    equal(calls, n, what .. ": not called again")
+    equal(failure.run.t1, failure.t, what)
+    holds(failure.t >= 0 and failure.t < 30, what)
+    if failure.t > 0 then
+      holds(off(failure.run, failure.t) <= math.max(1e-10, 2*failure.run.error_estimate), what)
+    end
+  end
+end
