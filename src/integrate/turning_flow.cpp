@@ -27,7 +27,7 @@ class TurningFlow final : public Flow {
  public:
   TurningFlow(const Vector& v, const TurningSpin& omega, double t0, double t1)
       : v_(v.cast<Extended>()),
-        about_(omega.about().cast<Extended>().normalized()),
+        about_(omega.about()),
         rate_(omega.rate()),
         t0_(t0),
         t1_(t1),
@@ -66,10 +66,11 @@ class TurningFlow final : public Flow {
     const Extended d = (frame * own).dot(aim);
     const Extended squares = a * a + b * b + c * c + d * d;
     const Extended determinant = a * d - b * c;
-    const Extended root =
-        std::sqrt(std::max(Extended{0}, squares * squares - 4 * determinant * determinant));
-    const Extended greatest = std::sqrt((squares + root) / 2);
     constexpr Extended kRounding = 64 * std::numeric_limits<Extended>::epsilon();
+    // Where both singular values are nearly the same, the root of a rounding is more than one.
+    const Extended root = std::sqrt(
+        std::max(Extended{0}, squares * squares - 4 * determinant * determinant) + kRounding);
+    const Extended greatest = std::sqrt((squares + root) / 2);
     return 2 - 2 * greatest <= Extended{distance} * distance + kRounding;
   }
 

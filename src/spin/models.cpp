@@ -40,30 +40,33 @@ VectorJet ConstantSpin::jet(double) const {
 std::string ConstantSpin::description() const { return text(vector_); }
 
 TurningSpin::TurningSpin(const Vector& vector, const Vector& about, double rate)
-    : vector_(vector), about_(direction_of(about, "about")), rate_(rate) {
+    : vector_(vector), about_(about.cast<Extended>().normalized()), rate_(rate) {
+  direction_of(about, "about");
   require(vector.allFinite(), "vector: expected three finite numbers, got " + text(vector));
   require(std::isfinite(rate), "rate: expected a finite number, got " + text(rate));
 }
 
 Vector TurningSpin::value(double t) const {
   const double angle = rate_ * t;
-  const Vector along = about_ * about_.dot(vector_);
-  return along + (vector_ - along) * std::cos(angle) + about_.cross(vector_) * std::sin(angle);
+  const Vector about = about_.cast<double>();
+  const Vector along = about * about.dot(vector_);
+  return along + (vector_ - along) * std::cos(angle) + about.cross(vector_) * std::sin(angle);
 }
 
 // omega' = rate about x omega, so that (k + 1) c_(k+1) = rate about x c_k.
 VectorJet TurningSpin::jet(double t) const {
   VectorJet result;
+  const Vector about = about_.cast<double>();
   Vector c = value(t);
   for (std::size_t k = 0; k <= Jet::kOrder; ++k) {
     for (int i = 0; i < 3; ++i) result[static_cast<std::size_t>(i)].c[k] = c(i);
-    c = about_.cross(c) * (rate_ / static_cast<double>(k + 1));
+    c = about.cross(c) * (rate_ / static_cast<double>(k + 1));
   }
   return result;
 }
 
 std::string TurningSpin::description() const {
-  return text(vector_) + " turning about " + text(about_) + " at " + text(rate_);
+  return text(vector_) + " turning about " + text(Vector(about_.cast<double>())) + " at " + text(rate_);
 }
 
 AlongSpin::AlongSpin(const Vector& direction, ScalarFunction rate)

