@@ -36,7 +36,8 @@ std::vector<Solver> all_solvers() {
 std::vector<Race> race_all(const Options& options) {
   const int rounds = options.quick ? 5 : 15;
   const std::vector<double> targets =
-      options.speed ? std::vector<double>{1e-9} : std::vector<double>{1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12};
+      options.speed ? std::vector<double>{1e-9}
+                    : std::vector<double>{1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12};
   std::vector<Race> races;
   const auto run = [&](const Problem& problem, const std::vector<Solver>& solvers, int times) {
     for (Race& race : rotor::bench::race(problem, solvers, targets, times)) {

@@ -88,12 +88,9 @@ class AlongMethod {
                            std::abs(scene.t1 - scene.t0))),
         h_(max_step_) {}
 
-  double next(double t) const {
-    const double rest = std::abs(t1_ - t);
-    if (rest <= h_) return breaks_.clip(t, t1_);
-    const double h = rest < 2 * h_ ? rest / 2 : h_;  // no crumb of a step at the end
-    return breaks_.clip(t, t1_ > t ? t + h : t - h);
-  }
+  double next(double t) const { return step_towards(breaks_.clip(t, t1_), t, h_); }
+
+  bool must_end(double t) const { return breaks_.is_break(t); }
 
   bool step(double t, double t_next) {
     Panel panel{t, t_next, angle_, {}};

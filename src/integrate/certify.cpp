@@ -115,7 +115,9 @@ class Measurement {
     const double after = t + reach == t ? std::nextafter(t, forward) : t + reach;
     const double before = t - reach == t ? std::nextafter(t, -forward) : t - reach;
     const Quaternion turned = flow_.at(after) * flow_.at(before).conjugate();
-    const Vector turn = 2 * log(turned).vec() - (after - before) * flow_.generator(t);
+    const Vector known =
+        (t - before) * flow_.generator(before) + (after - t) * flow_.generator(after);
+    const Vector turn = 2 * log(turned).vec() - known;
     add(flow_.at(t).conjugate() * turn);
     bound_ += norm(turn);
   }

@@ -84,8 +84,7 @@ Quaternion BodyPointsEquation::quaternion(const Value& r) {
 Vector EulerEquation::start(const Rotation& r) const {
   Value e = r.euler_vector();
   refuse_start(singularity(e), r, distance(e));
-  while (is_due(e)) e = restarted(e);
-  return e;
+  return is_due(e) ? r.canonical().euler_vector() : e;  // what restarting comes to
 }
 
 Vector EulerEquation::rate(const Vector& omega, const Value& e) {
@@ -133,7 +132,11 @@ Vector EulerEquation::restarted(const Value& e) {
 
 // --- [P10]
 
-Vector GibbsEquation::start(const Rotation& r) { return r.gibbs(); }
+Vector GibbsEquation::start(const Rotation& r) {
+  const Value g = r.gibbs();
+  refuse_start(singularity(g), r, distance(g));
+  return g;
+}
 
 Quaternion GibbsEquation::quaternion(const Value& g) {
   return Quaternion(1, g.x(), g.y(), g.z()).normalized();

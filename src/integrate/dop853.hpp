@@ -57,12 +57,10 @@ class Dop853 {
   double next(double t) {
     if (exhausted_) return t;
     if (h_ == 0) h_ = first_step();
-    const double end = omega_.clip(t, t1_);
-    const double rest = std::abs(end - t);
-    if (rest <= h_) return end;
-    const double h = rest < 2 * h_ ? rest / 2 : h_;  // no crumb of a step at the end
-    return t1_ > t ? t + h : t - h;
+    return step_towards(omega_.clip(t, t1_), t, h_);
   }
+
+  bool must_end(double t) const { return omega_.is_break(t); }
 
   bool step(double t, double t_next) {
     const double h = t_next - t;
@@ -159,7 +157,7 @@ class Dop853 {
   void propose(double t, double h, double factor, bool accepted) {
     h_ = std::min(std::abs(h) * (after_rejection_ ? std::min(factor, 1.0) : factor), max_step_);
     // The shortest step is tried before the run is given up.
-    if (std::abs(h) > 2 * shortest_step(t)) h_ = std::max(h_, 1.5 * shortest_step(t));
+    if (accepted || std::abs(h) > 2 * shortest_step(t)) h_ = std::max(h_, 1.5 * shortest_step(t));
     after_rejection_ = !accepted;
   }
 

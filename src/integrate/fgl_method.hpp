@@ -8,6 +8,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -33,14 +34,15 @@ class FglMethod {
                       std::numeric_limits<double>::denorm_min()}))) {}
 
   double error_estimate() const { return error_ + between_ + rounding_.estimate(); }
+  bool must_end(double t) const { return omega_.is_break(t); }
 
  protected:
-  // As in Dop853: a jump of omega falls within some shortest step, and t resolves it no better. Far
-  // below the rounding of a step nothing is gained.
+  // A jump of omega falls within some shortest step, and t resolves it no better. Far below the
+  // rounding of a step nothing is gained.
   double allowed(const ErrorBudget& budget, double t, double t_next, double turn) const {
     const double h = std::abs(t_next - t);
     if (h <= 2 * shortest_step(t)) {
-      return turn < 1e-8 ? std::numeric_limits<double>::infinity() : budget.left();
+      return turn < 1 ? std::numeric_limits<double>::infinity() : budget.left();
     }
     return std::max(budget.allowed(h, std::abs(t_next - t0_)), kUnit / 16 * turn);
   }
@@ -60,11 +62,25 @@ class FglMethod {
     next.coeffs() *= 1.5 - 0.5 * next.squaredNorm();
     return next;
   }
-  // Of n steps: an ulp or so each for their factors and the product, at random; and what the sums
-  // of a step, the same every time where omega is constant, round in one direction.
-  void add_rounding(std::size_t n, double turn) {
-    rounding_.add(4 * kUnit, 3 * static_cast<double>(n));
-    error_ += kUnit / 2 * turn;
+  // No more than where the step leads at all, and what its sums, the same every time where omega is
+  // constant, round in one direction.
+  static double with_sums(double error, double turn) {
+    return std::min(error, 2 * turn) + kUnit / 2 * turn;
+  }
+  // The errors of n steps, before they are appended: `error`; `noise`, of that standard deviation
+  // in each component; and, at random, an ulp or so each for their factors and the product.
+  void add_errors(double error, double noise, std::size_t n) {
+    RoundingError rounding = rounding_;
+    rounding.add(4 * kUnit, 3 * static_cast<double>(n));
+    rounding.add(noise, 3);
+    const double sum = error_ + error;
+    if (!(sum + rounding.estimate() < std::numbers::pi)) {
+      throw AccuracyLost(
+          "accuracy lost: omega is too large or changes too fast for t, and for its own rounding, "
+          "to tell where the body is");
+    }
+    error_ = sum;
+    rounding_ = rounding;
   }
 
   // The step, or nothing where it has to be shorter: omega is not finite somewhere in it, and

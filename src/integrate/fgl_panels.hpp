@@ -21,7 +21,7 @@ class FglPanels : public FglMethod {
       : FglMethod(scene, std::move(omega), std::move(flow)),
         panel_budget_(0.45 * scene.accuracy, std::abs(t1_ - t0_)),
         step_budget_(0.45 * scene.accuracy, std::abs(t1_ - t0_)),
-        lengths_(t1_, longest_, longest_) {}
+        lengths_(longest_) {}
 
   double next(double t) {
     if (length_ == 0) {
@@ -29,7 +29,7 @@ class FglPanels : public FglMethod {
       lengths_.limit(20 / rate);
       length_ = 6 / rate;
     }
-    return omega_.clip(t, lengths_.next(t));
+    return step_towards(omega_.clip(t, t1_), t, lengths_.length());
   }
 
   bool step(double t, double t_next) {
@@ -50,16 +50,19 @@ class FglPanels : public FglMethod {
     const double h = std::abs(t_next - t);
     const double turn = h * panel.greatest();
     if (!lengths_.accept(panel, allowed(panel_budget_, t, t_next, turn))) return false;
+    const double error = h * panel.error();
+    const double noise = h * panel.noise() * std::sqrt(kept_noise(panel, turn));
     if (is_turn(panel)) {
+      const double unit = panel.is_constant() ? kExtendedUnit : kUnit;
+      add_errors(error + turn * unit, noise, 1);
       flow_->append_turn(panel, turn);
-      rounding_.add(2 * kUnit, 3);  // of an exponential and a product
-      error_ += turn * (panel.is_constant() ? kExtendedUnit : kUnit);
-    } else if (!take_steps(panel, turn)) {
+    } else if (take_steps(panel, turn)) {
+      add_errors(with_sums(error + spent_, turn), noise, u_.size());
+      flow_->append(panel, u_, turn);
+    } else {
       return false;
     }
-    panel_budget_.spend(h * panel.error());
-    error_ += h * panel.error();
-    rounding_.add(h * panel.noise() * std::sqrt(kept_noise(panel, turn)), 3);
+    panel_budget_.spend(error);
     return true;
   }
 
@@ -96,6 +99,7 @@ class FglPanels : public FglMethod {
     return squares <= 1;
   }
 
+  // Equal steps on the panel, into u_, and their errors into spent_.
   bool take_steps(const Panel& panel, double turn) {
     const double h = std::abs(panel.end() - panel.begin());
     double steps = std::max(1.0, std::ceil(h / length_));
@@ -113,13 +117,10 @@ class FglPanels : public FglMethod {
     }
     lengths_.limit(kMostSteps / 2 * length_);
     step_budget_.spend(spent_);
-    error_ += spent_;
-    add_rounding(u_.size(), turn);
-    flow_->append(panel, u_, turn);
     return true;
   }
 
-  // n steps on the panel into u_, their errors into spent_; the worst one, as it is judged.
+  // n of them; the worst error, as it is judged.
   double run_steps(const Panel& panel, std::size_t n, double may) {
     const FglKernel& kernel = fgl_kernel();
     const double half = 1 / static_cast<double>(n);

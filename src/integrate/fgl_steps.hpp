@@ -30,10 +30,7 @@ class FglSteps : public FglMethod {
       h_ = std::max({std::min(longest_, 4 / rate), 4 * shortest_step(t0_),
                      std::numeric_limits<double>::denorm_min()});
     }
-    const double rest = std::abs(t1_ - t);
-    if (rest <= h_) return omega_.clip(t, t1_);
-    const double h = rest < 2 * h_ ? rest / 2 : h_;  // no crumb of a step at the end
-    return omega_.clip(t, t1_ > t ? t + h : t - h);
+    return step_towards(omega_.clip(t, t1_), t, h_);
   }
 
   bool step(double t, double t_next) {
@@ -65,10 +62,18 @@ class FglSteps : public FglMethod {
     const double error = judged(step, may);
     h_ = std::min({h * factor(error, 0.3, after_rejection_ ? 1 : 4), longest_,
                    h * (kLongestHalf / greatest)});
-    if (h > 2 * shortest_step(t)) h_ = std::max(h_, 1.5 * shortest_step(t));
     after_rejection_ = !(error <= 1);
+    // As PanelLengths: what a break made shorter does not stop the run.
+    const double shortest = shortest_step(t);
+    if (!after_rejection_ || h > 2 * shortest) h_ = std::max(h_, 1.5 * shortest);
     if (after_rejection_) return false;
     const std::size_t n = parts(h, turn, 0.55 * noise);
+    // Off by up to half an ulp to either side of where they are meant, samples on a curve are off
+    // to one side of it, by a third of half the square, after the correction of first order.
+    const double aside = turn > 0 ? late * late / (3 * greatest) : 0;
+    // 0.55^2: the square sum of the weights; twice, as eight samples tell the noise no better.
+    add_errors(with_sums(step.error + aside, turn), 1.1 * noise / std::sqrt(static_cast<double>(n)),
+               n);
     if (n == 1) {
       append(t_next, step, turn);
     } else {
@@ -76,14 +81,7 @@ class FglSteps : public FglMethod {
     }
 
     budget_.spend(step.error);
-    error_ += step.error;
     between_ = std::max(between_, step.between);
-    add_rounding(n, turn);
-    // Off by up to half an ulp to either side of where they are meant, samples on a curve are off
-    // to one side of it, by a third of half the square, after the correction of first order.
-    if (turn > 0) error_ += late * late / (3 * greatest);
-    // 0.55^2: the square sum of the weights; twice, as eight samples tell the noise no better.
-    rounding_.add(1.1 * noise / std::sqrt(static_cast<double>(n)), 3);
     return true;
   }
 

@@ -186,9 +186,10 @@ Vector GeneralizedEquation::start(const Rotation& r) const {
   const double f = (*f_)(theta).f;
   refuse_start(singularity(Vector(std::isfinite(f) ? f : kInfinity, 0, 0)), r,
                std::min(distance_from_full_turns(theta), f_->end() - theta));
-  Value y = r.axis() * std::copysign(f, r.angle());
-  while (is_due(y)) y = restarted(y);
-  return y;
+  const Value y = r.axis() * std::copysign(f, r.angle());
+  if (!is_due(y)) return y;
+  const Rotation same = r.canonical();  // what restarting comes to
+  return same.axis() * std::copysign((*f_)(std::abs(same.angle())).f, same.angle());
 }
 
 Vector GeneralizedEquation::rate(const Vector& omega, const Value& y) const {

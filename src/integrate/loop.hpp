@@ -31,6 +31,12 @@ class StepOverflow : public std::overflow_error {
   using std::overflow_error::overflow_error;
 };
 
+/// A run of whose motion nothing would be known.
+class AccuracyLost : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Thrown by omega to stop the run without having failed, as an observer does.
 class Interrupted : public std::exception {
  public:
@@ -39,7 +45,7 @@ class Interrupted : public std::exception {
 
 /// Why a run ended before its end.
 struct Stop {
-  // "interrupted", "step limit", "step underflow", "step overflow", "omega failed"
+  // "interrupted", "step limit", "step underflow", "step overflow", "accuracy lost", "omega failed"
   std::string reason;
   double t = 0;              // the time reached
   std::string message;       // for people
@@ -52,9 +58,18 @@ inline double shortest_step(double t) {
   return 64 * std::numeric_limits<double>::epsilon() * std::abs(t);
 }
 
+/// The end of a step of length h, or less, on the way from t to `end`: no crumb is left there.
+inline double step_towards(double end, double t, double h) {
+  const double rest = std::abs(end - t);
+  if (rest <= h || rest / 2 < shortest_step(t)) return end;
+  const double length = rest < 2 * h ? rest / 2 : h;
+  return end > t ? t + length : t - length;
+}
+
 /// Drives `method` from t0 to t1. A method has
 ///   double next(double t)               the end of the step that it would take from t,
-///   bool step(double t, double t_next)  takes it, or rejects it and will propose a shorter one.
+///   bool step(double t, double t_next)  takes it, or rejects it and will propose a shorter one;
+///   bool must_end(double t) const       whether a step has to end there, however short.
 /// Steps end at doubles exactly, so that no error of time accumulates. Counts steps in `cost`.
 /// Nothing if t1 was reached, else why not; an exception from omega is kept in Stop::cause.
 template <class Method>
@@ -70,7 +85,8 @@ std::optional<Stop> integrate(Method& method, double t0, double t1, std::size_t 
                     nullptr};
       }
       const double t_next = method.next(t);
-      if (t_next == t || (t_next != t1 && std::abs(t_next - t) < shortest_step(t))) {
+      if (t_next == t ||
+          (t_next != t1 && !method.must_end(t_next) && std::abs(t_next - t) < shortest_step(t))) {
         return Stop{
             "step underflow", t,
             "step underflow: a step of " + text(t_next - t, 2) +
@@ -89,6 +105,8 @@ std::optional<Stop> integrate(Method& method, double t0, double t1, std::size_t 
     return Stop{interrupted.what(), t, interrupted.what(), nullptr};
   } catch (const StepOverflow& error) {
     return Stop{"step overflow", t, error.what(), nullptr};
+  } catch (const AccuracyLost& error) {
+    return Stop{"accuracy lost", t, error.what(), nullptr};
   } catch (const std::exception& error) {
     return Stop{"omega failed", t, error.what(), std::current_exception()};
   }

@@ -230,25 +230,15 @@ double Panel::length_factor(double allowed) const {
   return std::clamp(60 / (degree + 2), 0.1, 16.0);
 }
 
-PanelLengths::PanelLengths(double t1, double longest, double first)
-    : t1_(t1), longest_(longest), length_(std::min(first, longest)) {}
-
-double PanelLengths::next(double t) const {
-  const double rest = std::abs(t1_ - t);
-  if (rest <= length_) return t1_;
-  const double length = rest < 2 * length_ ? rest / 2 : length_;  // no crumb at the end
-  return t1_ > t ? t + length : t - length;
-}
-
 bool PanelLengths::accept(const Panel& panel, double allowed) {
   const double length = std::abs(panel.end() - panel.begin());
   const bool accepted = length * panel.error() <= allowed;
   const double factor = panel.length_factor(allowed / length);
   const double most = accepted ? (after_rejection_ ? 1.0 : 16.0) : 0.7;
   length_ = std::min(length * std::min(factor, most), longest_);
-  // The shortest is tried before the run is given up.
+  // The shortest is tried before the run is given up, and after one that a break made shorter.
   const double shortest = shortest_step(panel.begin());
-  if (length > 2 * shortest) length_ = std::max(length_, 1.5 * shortest);
+  if (accepted || length > 2 * shortest) length_ = std::max(length_, 1.5 * shortest);
   after_rejection_ = !accepted;
   return accepted;
 }

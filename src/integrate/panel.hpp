@@ -84,11 +84,11 @@ class Panel {
 /// The lengths of panels along a run, from what each tells of itself.
 class PanelLengths {
  public:
-  /// To t1; none longer than `longest`, the first tried no longer than `first`.
-  PanelLengths(double t1, double longest, double first);
+  /// None longer than `longest`.
+  explicit PanelLengths(double longest) : longest_(longest), length_(longest) {}
 
-  /// The end of the panel that is to be tried from t.
-  double next(double t) const;
+  /// Of the panel that is to be tried.
+  double length() const { return length_; }
   /// Whether the panel will do: its error, |end - begin| times its size, is at most `allowed`.
   /// Either way the next length is set.
   bool accept(const Panel& panel, double allowed);
@@ -96,7 +96,6 @@ class PanelLengths {
   void limit(double length) { length_ = std::min(length_, length); }
 
  private:
-  double t1_;
   double longest_;
   double length_;
   bool after_rejection_ = false;

@@ -87,12 +87,15 @@ Plan plan(const Scene& scene) {
   return {};
 }
 
-// Those of omega and those of the scene within the interval, rising, each once.
+// Those of omega and those of the scene within the interval, its ends among them, rising, each
+// once.
 std::vector<double> breaks_of(const Scene& scene) {
   const auto [low, high] = std::minmax({scene.t0, scene.t1});
-  std::vector<double> breaks = scene.omega.breaks(low, high);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::vector<double> breaks =
+      scene.omega.breaks(std::nextafter(low, -kInfinity), std::nextafter(high, kInfinity));
   for (const double t : scene.breaks) {
-    if (low < t && t < high) breaks.push_back(t);
+    if (low <= t && t <= high) breaks.push_back(t);
   }
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());

@@ -58,6 +58,8 @@ class Rk4 {
                         (static_cast<double>(taken_ + 1) / static_cast<double>(steps_));
   }
 
+  bool must_end(double t) const { return omega_.is_break(t); }
+
   bool step(double t, double t_next) {
     const double h = t_next - t;
     const Vector start = omega_.at_node(t, t_next);

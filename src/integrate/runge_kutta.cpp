@@ -52,7 +52,8 @@ template <class Equation, class Integrator>
 void run(const Equation& equation, const typename Equation::Value& start, Integrator integrator,
          const Scene& scene, const Observer& observer, Propagator& result) {
   result.stop = integrate(integrator, scene.t0, scene.t1, scene.max_steps, observer, result.cost);
-  if (result.stop && result.stop->reason == "step underflow" && integrator.at_singularity()) {
+  if (result.stop && integrator.at_singularity() &&
+      (result.stop->reason == "step underflow" || result.stop->reason == "step limit")) {
     result.stop->reason = "singularity";
     result.stop->message = "singularity: " + equation.singularity(integrator.value());
   }
@@ -63,6 +64,7 @@ void run(const Equation& equation, const typename Equation::Value& start, Integr
 
 // The ends of the parts between breaks, in the order of travel.
 std::vector<double> ends_of(const Scene& scene, std::vector<double> breaks) {
+  std::erase_if(breaks, [&](double t) { return t == scene.t0 || t == scene.t1; });
   if (scene.t1 < scene.t0) std::reverse(breaks.begin(), breaks.end());
   breaks.push_back(scene.t1);
   return breaks;

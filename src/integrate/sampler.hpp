@@ -62,9 +62,9 @@ class Sampler {
     has_node_ = true;
   }
 
- private:
   bool is_break(double t) const { return std::binary_search(breaks_.begin(), breaks_.end(), t); }
 
+ private:
   const AngularVelocity& omega_;
   Cost& cost_;
   std::vector<double> breaks_;

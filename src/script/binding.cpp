@@ -1,6 +1,7 @@
 #include "script/binding.hpp"
 
 #include <array>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -219,6 +220,13 @@ void push_error_message(lua_State* L, const char* what) {
   }
   lua_pushstring(L, what);
   lua_concat(L, 2);
+}
+
+void warn(lua_State* L, const std::string& what) {
+  push_error_message(L, what.c_str());
+  std::fprintf(stderr, "rotor: %s\n", lua_tostring(L, -1));
+  std::fflush(stderr);
+  lua_pop(L, 1);
 }
 
 void throw_bad_argument(lua_State* L, int index, const std::exception& mismatch) {

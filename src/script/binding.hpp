@@ -46,6 +46,8 @@ void push_place(lua_State* L);
 
 /// The message of an error for scripts: where in the script, which function, what. Pushed.
 void push_error_message(lua_State* L, const char* what);
+/// The same as a line on stderr, where the function goes on.
+void warn(lua_State* L, const std::string& what);
 /// As a bad argument of the running function.
 [[noreturn]] void throw_bad_argument(lua_State* L, int index, const std::exception& mismatch);
 

@@ -15,35 +15,6 @@
 namespace rotor::script {
 namespace {
 
-template <class T>
-struct Word {
-  const char* name;
-  T value;
-};
-constexpr Word<Method> kMethods[] = {{"auto", Method::kAuto},
-                                     {"exact", Method::kExact},
-                                     {"fgl", Method::kFgl},
-                                     {"rk4", Method::kRk4},
-                                     {"dop853", Method::kDop853}};
-constexpr Word<Equation> kEquations[] = {
-    {"quaternion", Equation::kQuaternion},        {"euler", Equation::kEuler},
-    {"modified_gibbs", Equation::kModifiedGibbs}, {"gibbs", Equation::kGibbs},
-    {"axis_angle", Equation::kAxisAngle},         {"body_points", Equation::kBodyPoints},
-    {"generalized", Equation::kGeneralized}};
-
-// What the option's word stands for; the first of them where it is not given.
-template <class T, std::size_t N>
-T word_option(const Options& options, const char* key, const Word<T> (&words)[N]) {
-  const auto name = options.get<std::string>(key);
-  std::string known;
-  for (const Word<T>& word : words) {
-    if (!name || *name == word.name) return word.value;
-    known += (known.empty() ? "\"" : ", \"") + std::string(word.name) + "\"";
-  }
-  throw std::invalid_argument(std::string(key) + ": expected one of " + known + ", got \"" + *name +
-                              "\"");
-}
-
 AngularVelocity omega_of(lua_State* L, const Options& options) {
   const StackGuard guard(L);
   options.push("omega");
@@ -78,7 +49,9 @@ void set_interval(const Options& options, Scene& scene) {
 }
 
 void set_equation(lua_State* L, const Options& options, Scene& scene) {
-  scene.equation = word_option(options, "equation", kEquations);
+  scene.equation = static_cast<Equation>(  // in its order
+      options.word("equation", {"quaternion", "euler", "modified_gibbs", "gibbs", "axis_angle",
+                                "body_points", "generalized"}));
   scene.restart = options.get<bool>("restart").value_or(false);
   const bool generalized = scene.equation == Equation::kGeneralized;
   if (generalized != options.has("f")) {
@@ -95,7 +68,8 @@ void set_equation(lua_State* L, const Options& options, Scene& scene) {
 Scene scene_of(lua_State* L, const Options& options) {
   Scene scene{.omega = omega_of(L, options)};
   set_interval(options, scene);
-  scene.method = word_option(options, "method", kMethods);
+  scene.method = static_cast<Method>(  // in its order
+      options.word("method", {"auto", "exact", "fgl", "rk4", "dop853"}));
   scene.step = options.get<double>("step");
   if (scene.step && options.has("accuracy")) {
     throw std::invalid_argument(

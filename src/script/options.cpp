@@ -1,8 +1,10 @@
 #include "script/options.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 
+#include "output/columns.hpp"
 #include "script/binding.hpp"
 #include "script/lua_value.hpp"
 
@@ -63,14 +65,16 @@ bool Options::has(const char* key) const {
   return lua_getfield(L_, index_, key) != LUA_TNIL;
 }
 
-bool Options::is_second(const char* key, const std::string& first,
-                        const std::string& second) const {
-  const std::string given = get<std::string>(key).value_or(first);
-  if (given != first && given != second) {
-    throw std::invalid_argument(std::string(key) + ": expected \"" + first + "\" or \"" + second +
-                                "\", got \"" + given + "\"");
+std::size_t Options::word(const char* key, const std::vector<std::string>& words) const {
+  const std::string given = get<std::string>(key).value_or(words.front());
+  const auto found = std::find(words.begin(), words.end(), given);
+  if (found == words.end()) {
+    throw std::invalid_argument(std::string(key) + ": expected " +
+                                (words.size() == 2 ? "\"" + words[0] + "\" or \"" + words[1] + "\""
+                                                   : "one of " + listed(words, "\"")) +
+                                ", got \"" + given + "\"");
   }
-  return given == second;
+  return static_cast<std::size_t>(found - words.begin());
 }
 
 }  // namespace rotor::script

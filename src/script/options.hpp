@@ -1,10 +1,12 @@
 // Options tables: evolve{omega = ..., to = ...}.
 #pragma once
 
+#include <cstddef>
 #include <lua.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "script/convert.hpp"
 #include "script/lua_value.hpp"
@@ -29,8 +31,8 @@ class Options {
       throw std::invalid_argument(std::string(key) + ": " + mismatch.what());
     }
   }
-  /// Whether the option is the second of two words; the first is the default.
-  bool is_second(const char* key, const std::string& first, const std::string& second) const;
+  /// Which of some words the option is; the first is the default.
+  std::size_t word(const char* key, const std::vector<std::string>& words) const;
   /// Pushes the option (nil where it is not given).
   void push(const char* key) const { lua_getfield(L_, index_, key); }
 

@@ -72,7 +72,7 @@ Results slerp_at(lua_State* L) {
   const Rotation& s = argument<Rotation>(L, 2);
   const double fraction = argument<double>(L, 3);
   const Options options(L, 4, kSlerp);
-  const Way way = options.is_second("way", "short", "long") ? Way::kLong : Way::kShort;
+  const Way way = options.word("way", {"short", "long"}) == 1 ? Way::kLong : Way::kShort;
   Convert<Rotation>::push(L, slerp(r, s, fraction, way));
   return {1};
 }

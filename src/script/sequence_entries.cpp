@@ -14,16 +14,13 @@ namespace rotor::script {
 namespace {
 
 Frame frame_of(const Options& options) {
-  return options.is_second("frame", "body", "space") ? Frame::kSpace : Frame::kBody;
+  return options.word("frame", {"body", "space"}) == 1 ? Frame::kSpace : Frame::kBody;
 }
 
 // One line on stderr for a singular factoring: "script.lua:3: euler_angles: singular: ...".
 void warn_if_singular(lua_State* L, const Factoring& factoring, const Options& options) {
-  if (options.is_second("singular", "warn", "silent") || factoring.singular.empty()) return;
-  push_error_message(L, ("singular: " + factoring.singular).c_str());
-  std::fprintf(stderr, "rotor: %s\n", lua_tostring(L, -1));
-  std::fflush(stderr);
-  lua_pop(L, 1);
+  if (options.word("singular", {"warn", "silent"}) == 1 || factoring.singular.empty()) return;
+  warn(L, "singular: " + factoring.singular);
 }
 
 constexpr const char* kAnglesAbout = "R:angles_about(a1, a2, a3, {singular=}) -> table";

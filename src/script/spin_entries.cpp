@@ -196,18 +196,6 @@ std::vector<std::string> columns_of_log(lua_State* L, const Options& options) {
   return list;
 }
 
-// One of some words, the first by default.
-std::size_t word_option(const Options& options, const char* key,
-                        const std::vector<std::string>& words) {
-  const std::string given = options.get<std::string>(key).value_or(words.front());
-  const auto found = std::find(words.begin(), words.end(), given);
-  if (found == words.end()) {
-    throw std::invalid_argument(std::string(key) + ": expected one of " + listed(words, "\"") +
-                                ", got \"" + given + "\"");
-  }
-  return static_cast<std::size_t>(found - words.begin());
-}
-
 // A number for each component, or one for all.
 Vector scale_option(lua_State* L, const Options& options) {
   const StackGuard guard(L);
@@ -228,13 +216,10 @@ LogFormat format_option(lua_State* L, const Options& options) {
 
 // One line on stderr for gaps, or an error, as the option asks.
 void report_gaps(lua_State* L, const Options& options, const std::string& report) {
-  const std::size_t manner = word_option(options, "gaps", {"warn", "error", "silent"});
+  const std::size_t manner = options.word("gaps", {"warn", "error", "silent"});
   if (report.empty() || manner == 2) return;
   if (manner == 1) throw std::invalid_argument(report);
-  push_error_message(L, report.c_str());
-  std::fprintf(stderr, "rotor: %s\n", lua_tostring(L, -1));
-  std::fflush(stderr);
-  lua_pop(L, 1);
+  warn(L, report);
 }
 
 void push_gaps(lua_State* L, const std::vector<Gap>& gaps) {
@@ -253,11 +238,10 @@ void push_gaps(lua_State* L, const std::vector<Gap>& gaps) {
 
 Cleaning cleaning_option(const Options& options) {
   using enum Cleaning::Duplicates;
-  return {
-      .skip_missing = options.is_second("missing", "error", "skip"),
-      .sort = options.is_second("order", "error", "sort"),
-      .duplicates = std::array{
-          kRefuse, kFirst, kMean}[word_option(options, "duplicates", {"error", "first", "mean"})]};
+  return {.skip_missing = options.word("missing", {"error", "skip"}) == 1,
+          .sort = options.word("order", {"error", "sort"}) == 1,
+          .duplicates = std::array{kRefuse, kFirst,
+                                   kMean}[options.word("duplicates", {"error", "first", "mean"})]};
 }
 
 constexpr const char* kSampled =
@@ -267,7 +251,7 @@ Results sampled(lua_State* L) {
   const Options options(L, 2, kSampled);
   const LogFormat format = format_option(L, options);
   const Cleaning cleaning = cleaning_option(options);
-  const bool cubic = options.is_second("interpolation", "linear", "cubic");
+  const bool cubic = options.word("interpolation", {"linear", "cubic"}) == 1;
   const bool hold = options.get<bool>("extrapolate").value_or(false);
   const double gap = options.get<double>("gap").value_or(10);
   Samples samples;
@@ -384,7 +368,7 @@ constexpr Entry kFunctions[] = {
 };
 
 constexpr Entry kFields[] = {
-    {"frame", bound<frame>, "w.frame -> string", "\"space\" or \"body\": where omega is given.",
+    {"frame", bound<frame>, "w.frame -> string", R"("space" or "body": where omega is given.)",
      "spin.along({0, 0, 1}, 2).frame --> \"space\""},
     {"description", bound<description>, "w.description -> string", "What it is.",
      R"-(spin.along({0, 0, 1}, 2).description --> "(0.0, 0.0, 2.0)")-"},

@@ -66,7 +66,8 @@ VectorJet TurningSpin::jet(double t) const {
 }
 
 std::string TurningSpin::description() const {
-  return text(vector_) + " turning about " + text(Vector(about_.cast<double>())) + " at " + text(rate_);
+  return text(vector_) + " turning about " + text(Vector(about_.cast<double>())) + " at " +
+         text(rate_);
 }
 
 AlongSpin::AlongSpin(const Vector& direction, ScalarFunction rate)

@@ -1,13 +1,11 @@
 // A constant omega: the closed form against 90-digit numbers (turns.csv, made by make_turns.py).
-#include <cstdlib>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "catch.hpp"
 #include "closed_forms.hpp"
+#include "table.hpp"
 
 namespace {
 
@@ -20,18 +18,12 @@ struct Turn {
 };
 
 std::vector<Turn> turns() {
-  std::ifstream file(ROTOR_SOURCE_DIR "/tests/integrate/turns.csv");
   std::vector<Turn> result;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::vector<double> x;
-    std::istringstream row(line);
-    for (std::string field; std::getline(row, field, ',');) {
-      x.push_back(std::strtod(field.c_str(), nullptr));
-    }
-    REQUIRE(x.size() == 9);
-    result.push_back({Vector(x[0], x[1], x[2]), x[3], x[4], Quaternion(x[5], x[6], x[7], x[8])});
+  for (reference::Row& row : reference::table("integrate/turns.csv")) {
+    const Vector omega = row.vector();
+    const double t0 = row.number();
+    const double t = row.number();
+    result.push_back({omega, t0, t, row.quaternion()});
   }
   return result;
 }

@@ -1,10 +1,7 @@
 // omega constant in a uniformly turning frame: the closed form against 50-digit numbers
 // (turning.csv, made by make_turning.py), and against integration.
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,6 +9,7 @@
 #include "flows.hpp"
 #include "refusal.hpp"
 #include "spin/models.hpp"
+#include "table.hpp"
 
 namespace {
 
@@ -26,19 +24,14 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  std::ifstream file(ROTOR_SOURCE_DIR "/tests/integrate/turning.csv");
   std::vector<Case> result;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::vector<double> x;
-    std::istringstream row(line);
-    for (std::string field; std::getline(row, field, ',');) {
-      x.push_back(std::strtod(field.c_str(), nullptr));
-    }
-    REQUIRE(x.size() == 13);
-    result.push_back({Vector(x[0], x[1], x[2]), Vector(x[3], x[4], x[5]), x[6], x[7], x[8],
-                      Quaternion(x[9], x[10], x[11], x[12])});
+  for (reference::Row& row : reference::table("integrate/turning.csv")) {
+    const Vector v = row.vector();
+    const Vector about = row.vector();
+    const double rate = row.number();
+    const double t0 = row.number();
+    const double t = row.number();
+    result.push_back({v, about, rate, t0, t, row.quaternion()});
   }
   return result;
 }

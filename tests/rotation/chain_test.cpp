@@ -23,7 +23,7 @@ struct Sequence {
 
 std::vector<Sequence> sequences() {
   std::vector<Sequence> all;
-  for (Row& row : table("chains.csv")) {
+  for (Row& row : table("rotation/chains.csv")) {
     Sequence s;
     const auto n = std::size_t(row.number());
     s.frame = row.number() == 0 ? Frame::kBody : Frame::kSpace;

@@ -24,7 +24,7 @@ struct CompositionErrors {
 
 TEST_CASE("products of awkward rotations") {
   CompositionErrors all;
-  for (Row& row : table("compositions.csv")) {
+  for (Row& row : table("rotation/compositions.csv")) {
     const Vector axis1 = row.vector();
     const double angle1 = row.number();
     const Vector axis2 = row.vector();

@@ -65,7 +65,7 @@ class FaceErrors {
 
 TEST_CASE("faces of awkward rotations") {
   FaceErrors all;
-  for (Row& row : table("faces.csv")) {
+  for (Row& row : table("rotation/faces.csv")) {
     const Vector axis = row.vector();
     const double angle = row.number();
     all.add(axis, angle, read_faces(row));
@@ -89,7 +89,7 @@ TEST_CASE("faces of random rotations") {
 TEST_CASE("the table and the 50 digits agree") {
   // Two oracles that share nothing; each is good to 2^-65, the numbers are at most 1 here.
   Worst disagreement;
-  for (Row& row : table("faces.csv")) {
+  for (Row& row : table("rotation/faces.csv")) {
     const Vector axis = row.vector();
     const double angle = row.number();
     const Faces read = read_faces(row), computed = exact_faces(axis, angle);

@@ -26,7 +26,7 @@ TEST_CASE("N15 against the derivative of the quaternion") {
   // |theta'| and 2|u'|, and adds up to 2d|u'| along u in taking off what is parallel, times
   // |sin| + |1 - cos| < 2.5. The result is rounded, by sqrt(3) half-ulps of its largest component.
   Worst worst;
-  for (Row& row : table("rates.csv")) {
+  for (Row& row : table("rotation/rates.csv")) {
     const Vector axis = row.vector();
     const double angle = row.number(), angle_rate = row.number();
     const Vector rate = row.vector();
@@ -107,7 +107,7 @@ TEST_CASE("Jacobians against the power series of exp and its inverse") {
   // largest entry; and what the rounding of the length, 2u theta, does to the quotient of the
   // inverse: g changes by theta/(4 sin^2(theta/2)) of it.
   Worst left, inverse;
-  for (Row& row : table("jacobians.csv")) {
+  for (Row& row : table("rotation/jacobians.csv")) {
     const Vector v = row.vector();
     std::array<Exact, 9> j, j_inverse;
     row.read(j);

@@ -48,7 +48,7 @@ Quaternion scaled(const Quaternion& q, double x) {
 
 TEST_CASE("exp, log and powers of quaternions against 50 digits") {
   Worst exps, logs, powers;
-  std::vector<Row> rows = table("quaternion_functions.csv");
+  std::vector<Row> rows = table("rotation/quaternion_functions.csv");
   for (Row& row : rows) {
     const double w = row.number();
     const Vector v = row.vector();

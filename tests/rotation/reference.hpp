@@ -6,9 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +14,7 @@
 #include "catch.hpp"
 #include "rotation/rotation.hpp"
 #include "rotation/text.hpp"
+#include "table.hpp"
 
 namespace rotor::reference {
 
@@ -104,43 +103,5 @@ inline std::string described(const Vector& axis, double angle) {
   return "axis " + text(axis) + " angle " + text(angle);
 }
 inline std::string described(const Rotation& r) { return described(r.axis(), r.angle()); }
-
-/// One line of a table of this folder: hex floats, read in order.
-class Row {
- public:
-  explicit Row(const std::string& line) : line_(line) {}
-
-  double number() { return double(wide()); }
-  Vector vector() {
-    const double x = number(), y = number();
-    return {x, y, number()};
-  }
-  template <std::size_t N>
-  void read(std::array<Exact, N>& values) {
-    for (Exact& value : values) {
-      value.hi = number();
-      value.lo = wide();
-    }
-  }
-
- private:
-  Extended wide() {
-    std::string field;
-    if (!std::getline(line_, field, ',')) throw std::runtime_error("reference table: short row");
-    return std::strtold(field.c_str(), nullptr);
-  }
-  std::istringstream line_;
-};
-
-/// The rows of a table, without its header.
-inline std::vector<Row> table(const std::string& name) {
-  std::ifstream file(ROTOR_SOURCE_DIR "/tests/rotation/" + name);
-  std::vector<Row> rows;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) rows.emplace_back(line);
-  if (rows.empty()) throw std::runtime_error("reference table " + name + ": missing or empty");
-  return rows;
-}
 
 }  // namespace rotor::reference

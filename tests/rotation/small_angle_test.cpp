@@ -20,7 +20,7 @@ Extended wrong(Extended measured, const Exact& exact) {
 
 TEST_CASE("small-angle quotients keep their bounds") {
   Worst sine, cosine, third, first, small, large;
-  for (Row& row : table("small_angle.csv")) {
+  for (Row& row : table("rotation/small_angle.csv")) {
     const double angle = row.number();
     std::array<Exact, 5> exact;
     row.read(exact);

@@ -40,7 +40,7 @@ TEST_CASE("splines against the true solution of their equations") {
   // kComposition in the quaternion, half an ulp of a component, 0.87 of the length, in the rates.
   const Spline natural(kTimes, kRotations);
   const Spline clamped(kTimes, kRotations, kEndRates);
-  for (Row& row : table("splines.csv")) {
+  for (Row& row : table("rotation/splines.csv")) {
     const bool is_natural = row.number() != 0;
     const double t = row.number();
     std::array<Exact, 4> q;

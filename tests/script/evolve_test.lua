@@ -128,3 +128,54 @@ for _, method in ipairs{ "fgl", "dop853", "rk4" } do
     end
   end
 end
+
+-- A pole is not passed, and a motion that doubles cannot tell is not told: by name.
+for _, hopeless in ipairs{
+  function(t) return 1/(2 - t), 0, 1 end,
+  function(t) return 1/(2 - t)^2, 0, 1 end,
+  function() return 1e308, 0, 0 end,
+  function(t) return 1e200, t, 0 end } do
+  local failure = refused{ omega = hopeless, to = 1e10 }
+  equal(failure.reason, "accuracy lost")
+  holds(failure.t < 2, "before the pole")
+  holds(failure.run.error_estimate < pi, "the part done is known")
+end
+
+-- Breaks nearer to one another than steps may be, and intervals as short as that, far from t = 0.
+for _, method in ipairs{ "fgl", "dop853" } do
+  local near_breaks = evolve{ omega = function(t) return t, 0, 0 end, to = 1, breaks = { 0.3, 0.1*3 }, method = method }
+  near(0.5, near_breaks(1).angle, 1e-14, method .. ", the integral of t")
+  local log = {}
+  for i = 0, 99 do log[i + 1] = { 1.7e9 + i*0.01, 1, i % 3, 0 } end
+  log[50][1] = log[49][1] + 2e-5
+  -- omega is (1, y, 0), y of size 2: the motion of the log without that row differs by 0.02 s times 2 at most.
+  local jittered = evolve{ omega = spin.sampled(log), t = { 1.7e9, 1.7e9 + 0.98 }, method = method, accuracy = 1e-5 }
+  table.remove(log, 50)
+  local without = evolve{ omega = spin.sampled(log), t = { 1.7e9, 1.7e9 + 0.98 }, method = method, accuracy = 1e-5 }
+  holds(jittered(1.7e9 + 0.98).rotation:distance(without(1.7e9 + 0.98).rotation) < 0.04, method .. ", a jittered log")
+end
+for k = 1, 40 do
+  local t1 = 1e9 + k*2^-23
+  local short = evolve{ omega = function(t) return cos(t), sin(t), 0.5 end, t = { 1e9, t1 } }
+  near(sqrt(1.25)*k*2^-23, short(t1).angle, k*2^-23*1e-5, "the turn of " .. k .. " ulps")
+end
+
+-- A jump at an end of the run is on the far side of it: the methods keep their order.
+local jump = spin.piecewise{ { 1, 0, 0 }, 1, { 0, 0, 20 } }
+for _, interval in ipairs{ { 0, 1 }, { 1, 2 }, { 1, 0 }, { 2, 1 } } do
+  local exact = evolve{ omega = jump, t = interval }
+  local stepped = evolve{ omega = jump, t = interval, method = "rk4", step = 0.01 }
+  local last = interval[2]
+  holds(stepped(last).rotation:distance(exact(last).rotation) <= 2*stepped.error_estimate, "from " .. interval[1])
+  holds(stepped.error_estimate < 1e-4, "RK4 of 20 rad by 0.2: 20 * 0.2^4/2880")
+end
+
+-- A start far beyond 2 pi restarts at once, and one on a singularity is refused at once.
+local far = evolve{ omega = turning, to = 3, equation = "euler", restart = true, from = rotation({ 1, 0, 0 }, 1e15) }
+local same = evolve{ omega = turning, to = 3, from = rotation({ 1, 0, 0 }, 1e15) }
+holds(far(3).rotation:distance(same(3).rotation) <= 1e-9, "from 1e15 rad")
+contains(tostring(refused{ omega = turning, to = 3, equation = "gibbs", from = rotation({ 1, 0, 0 }, pi) }),
+  "the start's angle is 3.14")
+
+-- The certificate of a run over a known jump is that of its pieces.
+holds(evolve{ omega = spin.piecewise{ { 1, 0, 0 }, 0.5, { 0, 2, 0 } }, to = 10 }:certify().at_rounding, "exact pieces")
