@@ -160,7 +160,7 @@ class ErrorSum {
   }
   // `rest` bounds what the levels that are not taken turn by: the integral of the next one's |w|.
   ROTOR_INLINE FglStep step(const Quaternion4& turn, double rest) const {
-    return {turn, at_end_ + rest, between_, left_out_, fall_};
+    return {turn, at_end_ + rest, between_, rest, left_out_, fall_};
   }
 
  private:
@@ -168,7 +168,7 @@ class ErrorSum {
 
   // Random sums of waves, poles and jumps have at most 1/5 of the error found; bends as a rule less
   // than that, one in a hundred 6 times it, near an end, which is what error_at_ends looks for.
-  static constexpr double kRough = 32;
+  static constexpr double kRough = 256;
   double noise_;
   double at_end_ = 0;
   double between_ = 0;
@@ -179,7 +179,7 @@ class ErrorSum {
 };
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr FglStep kTooLong{{1, 0, 0, 0}, kInfinity, kInfinity, 0, 0};
+constexpr FglStep kTooLong{{1, 0, 0, 0}, kInfinity, kInfinity, 0, 0, 0};
 
 ROTOR_INLINE FglStep step_body(const NodeVectors& nodes, double negligible, double noise) {
   Vectors w = loaded(nodes);

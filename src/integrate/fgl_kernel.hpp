@@ -28,6 +28,8 @@ struct FglStep {
   /// too long for the method.
   double error;
   double between;
+  /// The part of the error that is what was left out as negligible.
+  double rest;
   /// The size (root mean square) of the first terms of w that 16 nodes do not tell.
   double left_out;
   /// By how much the squares of the sizes of its last terms fell over five degrees, at most 1.

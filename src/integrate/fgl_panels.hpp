@@ -29,7 +29,7 @@ class FglPanels : public FglMethod {
       lengths_.limit(20 / rate);
       length_ = 6 / rate;
     }
-    return step_towards(omega_.clip(t, t1_), t, lengths_.length());
+    return end_of_step(t, lengths_.length());
   }
 
   bool step(double t, double t_next) {
@@ -51,13 +51,15 @@ class FglPanels : public FglMethod {
     const double turn = h * panel.greatest();
     if (!lengths_.accept(panel, allowed(panel_budget_, t, t_next, turn))) return false;
     const double error = h * panel.error();
-    const double noise = h * panel.noise() * std::sqrt(kept_noise(panel, turn));
+    // Its size is known from a dozen numbers: to a fifth, and be it three times that.
+    const double noise = 1.75 * h * panel.noise() * std::sqrt(kept_noise(panel, turn));
     if (is_turn(panel)) {
       const double unit = panel.is_constant() ? kExtendedUnit : kUnit;
       add_errors(error + turn * unit, noise, 1);
       flow_->append_turn(panel, turn);
     } else if (take_steps(panel, turn)) {
-      add_errors(with_sums(error + spent_, turn), noise, u_.size());
+      add_errors(with_rounding(error + spent_ + h * panel.aside(), turn, u_.size()), noise,
+                 u_.size());
       flow_->append(panel, u_, turn);
     } else {
       return false;

@@ -30,7 +30,7 @@ class FglSteps : public FglMethod {
       h_ = std::max({std::min(longest_, 4 / rate), 4 * shortest_step(t0_),
                      std::numeric_limits<double>::denorm_min()});
     }
-    return step_towards(omega_.clip(t, t1_), t, h_);
+    return end_of_step(t, h_);
   }
 
   bool step(double t, double t_next) {
@@ -72,8 +72,8 @@ class FglSteps : public FglMethod {
     // to one side of it, by a third of half the square, after the correction of first order.
     const double aside = turn > 0 ? late * late / (3 * greatest) : 0;
     // 0.55^2: the square sum of the weights; twice, as eight samples tell the noise no better.
-    add_errors(with_sums(step.error + aside, turn), 1.1 * noise / std::sqrt(static_cast<double>(n)),
-               n);
+    add_errors(with_rounding(step.error + aside, turn, n),
+               1.1 * noise / std::sqrt(static_cast<double>(n)), n);
     if (n == 1) {
       append(t_next, step, turn);
     } else {

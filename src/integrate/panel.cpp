@@ -157,6 +157,7 @@ void Panel::judge(const Vector& at_begin, const Vector& at_end, double steepest)
   // sums that make the terms round too.
   const double late =
       kUnit * std::max(std::abs(begin_), std::abs(end_)) / std::abs(end_ / 2 - begin_ / 2);
+  if (greatest_ > 0) aside_ = std::pow(late * steepest, 2) / (3 * greatest_);
   const double expected = kUnit * greatest_ + (steepest == 0 ? 0 : late * steepest / 4);
   noise_ = mean_size(coefficients_, kNodes - 4, kNodes, greatest_);
   if (noise_ > 4 * expected ||

@@ -58,6 +58,9 @@ class Panel {
   /// double, as it shows in the last terms or, where these still count, as it is expected. The
   /// panel's integral has from it a standard deviation of |end - begin| times that.
   double noise() const { return noise_; }
+  /// By how much samples, their times rounded by up to half an ulp, are off in the mean where f
+  /// curves as it does when it turns; after the correction of first order.
+  double aside() const { return aside_; }
   /// What part of f's change (mean square) is along f itself: of its length, not its direction.
   double along() const { return along_; }
   /// The factor from this panel's length to that of one with an `error()` of `allowed`, or of noise
@@ -78,6 +81,7 @@ class Panel {
   double greatest_ = 0;
   double error_ = 0;
   double noise_ = 0;
+  double aside_ = 0;
   double along_ = 1;
 };
 

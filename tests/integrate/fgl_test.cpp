@@ -110,6 +110,12 @@ TEST_CASE("fgl keeps the accuracy asked for, on one level and on two") {
                                          {{1e-8, 1e-8}, 1e9},
                                          {{1e-9, 1}, 100},
                                          {{0.5, 1, 1e9, 1e9}, 1e9 + 100},
+                                         // a t is not exact, and with steps of one length would
+                                         // round alike in all of them.
+                                         {{0.15, 1, 1e7}, 1e7 + 100},
+                                         {{0.15, 1, 1e9}, 1e9 + 100},
+                                         {{0.3, 1, 1e7}, 1e7 + 100},
+                                         {{0.1, 1, 1e5}, 1e5 + 1000},
                                          {{0.5, 1, -1e6, -1e6}, -1e6 - 100}};
   for (const Problem& problem : problems) {
     const Turning& motion = problem.motion;
