@@ -90,13 +90,13 @@ const Problem& p4() {
 }
 
 const Problem& p6() {
-  constexpr Jump kJump{{2}, {3}, 100 / std::numbers::pi};
+  static constexpr Jump kJump{{2}, {3}, 100 / std::numbers::pi};
   static const Problem p =
       problem("P6", "(cos at, sin at, 0), a = 2 until t = 100/pi, then a = 3, t <= 100", kJump,
               "local cos, sin, jump = math.cos, math.sin, " + text(kJump.jump) +
                   "\nreturn function(t)\n  local a = t < jump and 2 or 3\n"
                   "  return cos(a*t), sin(a*t), 0\nend",
-              100, [kJump](double t) {
+              100, [](double t) {
                 const closed_form::Turning before{kJump.before.a};
                 const closed_form::Turning after{kJump.after.a};
                 if (t <= kJump.jump) return before(t);
