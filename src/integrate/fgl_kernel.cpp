@@ -148,7 +148,7 @@ class ErrorSum {
     const double root = std::sqrt(std::sqrt(fall));
     const double size = std::sqrt(last);
     const double next = size * root;
-    const double safety = 1 + (levels_ == 0 ? kRough : 2) * root;
+    const double safety = 2 + (levels_ == 0 ? kRough : 2) * root;
     at_end_ += safety * (size * fall * root * root * root + next * (next + before_) / 32);
     // Half as long: by r^2 less where terms fall fast, but no less where they fall slowly.
     between_ += safety * next * std::min(1.0, fall + 44 * fall * fall) / 32;
