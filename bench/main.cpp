@@ -16,7 +16,7 @@ using namespace rotor::bench;
 
 constexpr const char* kUsage =
     "usage: bench/run [--quick]\n"
-    "  --quick   fewer repetitions, and P1L by rotor alone: a minute instead of five\n"
+    "  --quick   fewer repetitions, and P1L by rotor alone\n"
     "Of the program that it builds:\n"
     "  --csv FILE  all rows of the races\n"
     "  --speed     goals 1 and 2 alone, at 1e-9\n";

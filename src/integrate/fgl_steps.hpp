@@ -16,7 +16,8 @@
 
 namespace rotor {
 
-/// Every step samples omega: 16 calls, one more at its end, and eight in 32 steps.
+/// Every step samples omega: 16 calls, one more at its end, and eight in 32 steps; up to four times
+/// 16 more where rounding is to be averaged.
 class FglSteps : public FglMethod {
  public:
   FglSteps(const Scene& scene, Sampler omega, std::shared_ptr<FglFlow> flow)

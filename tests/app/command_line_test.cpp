@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "app/temporary.hpp"
 #include "catch.hpp"
+#include "temporary.hpp"
 
 namespace {
 

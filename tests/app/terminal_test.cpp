@@ -2,8 +2,8 @@
 #include <string>
 
 #include "app/pty.hpp"
-#include "app/temporary.hpp"
 #include "catch.hpp"
+#include "temporary.hpp"
 
 namespace {
 

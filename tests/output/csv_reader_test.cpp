@@ -9,14 +9,13 @@
 #include <system_error>
 
 #include "catch.hpp"
-#include "directory.hpp"
 #include "output/columns.hpp"
 #include "output/file.hpp"
+#include "temporary.hpp"
 
 namespace rotor {
 namespace {
 
-using test::Directory;
 using Numbers = std::vector<double>;
 using Words = std::vector<std::string>;
 
@@ -30,7 +29,7 @@ class File {
   std::string error(const std::string& what) const { return path().string() + ": " + what; }
 
  private:
-  Directory here_;
+  TemporaryDirectory here_;
 };
 
 Numbers numbers(const CsvTable& table, const std::string& name) {
@@ -142,7 +141,7 @@ TEST_CASE("CSV in: another separator, and a header that seems to have one") {
 }
 
 TEST_CASE("CSV: a column whose name has a separator in it reads back") {
-  Directory here;
+  TemporaryDirectory here;
   for (const char* name : {"a;b", "a\tb", "a,b"}) {
     const std::vector<CsvColumn> columns = {{name, Numbers{1}}};
     write_csv(here.path / "data.csv", columns);
@@ -172,7 +171,7 @@ TEST_CASE("CSV: what is written reads back bit for bit, whatever the locale") {
   x.push_back(std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < x.size(); ++i)
     names.push_back(i % 3 == 0 ? "" : i % 3 == 1 ? "a, \"b\"\r\nc" : "  \xCF\x89 ");
-  Directory here;
+  TemporaryDirectory here;
   const auto file = here.path / "data.csv";
   // Decimal commas, where the machine has such a locale.
   std::setlocale(LC_ALL, "de_DE.UTF-8");
@@ -192,7 +191,7 @@ TEST_CASE("CSV: what is written reads back bit for bit, whatever the locale") {
 }
 
 TEST_CASE("CSV: columns that make no table are not written") {
-  Directory here;
+  TemporaryDirectory here;
   const auto file = here.path / "data.csv";
   const std::vector<CsvColumn> ragged = {{"t", Numbers{1, 2}}, {"x", Words{"a"}}};
   CHECK_THROWS_WITH(write_csv(file, ragged),

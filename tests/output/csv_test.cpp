@@ -11,13 +11,11 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "directory.hpp"
+#include "temporary.hpp"
 
 namespace rotor {
 namespace {
 
-using test::content;
-using test::Directory;
 using Names = std::vector<std::string>;
 using Values = std::vector<double>;
 
@@ -25,7 +23,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST_CASE("CSV: a small file, literally") {
-  Directory here;
+  TemporaryDirectory here;
   CsvWriter csv(here.path / "run.csv", Names{"t", "angle_rad", "axis_x"});
   csv.row(Values{0, 0.1, -1});
   csv.row(Values{-0.0, 1.0 / 3, 1e-300});
@@ -34,7 +32,7 @@ TEST_CASE("CSV: a small file, literally") {
   CHECK(csv.rows() == 4);
   CHECK_FALSE(std::filesystem::exists(here.path / "run.csv"));
   csv.commit();
-  CHECK(content(here.path / "run.csv") ==
+  CHECK(content_of(here.path / "run.csv") ==
         "t,angle_rad,axis_x\n"
         "0,0.1,-1\n"
         "-0,0.3333333333333333,1e-300\n"
@@ -43,14 +41,14 @@ TEST_CASE("CSV: a small file, literally") {
 }
 
 TEST_CASE("CSV: names that need quotes have them") {
-  Directory here;
+  TemporaryDirectory here;
   CsvWriter csv(here.path / "run.csv", Names{"a b", "a,b", "\"a\"", "a\nb", "a\rb", ""});
   csv.commit();
-  CHECK(content(here.path / "run.csv") == "a b,\"a,b\",\"\"\"a\"\"\",\"a\nb\",\"a\rb\",\"\"\n");
+  CHECK(content_of(here.path / "run.csv") == "a b,\"a,b\",\"\"\"a\"\"\",\"a\nb\",\"a\rb\",\"\"\n");
 }
 
 TEST_CASE("CSV: every double reads back as itself, through a buffer many times full") {
-  Directory here;
+  TemporaryDirectory here;
   constexpr std::uint64_t kSeed = 20240501;
   CAPTURE(kSeed);
   std::mt19937_64 random(kSeed);
@@ -61,7 +59,7 @@ TEST_CASE("CSV: every double reads back as itself, through a buffer many times f
     csv.row(row);
   }
   csv.commit();
-  const std::string text = content(here.path / "run.csv");
+  const std::string text = content_of(here.path / "run.csv");
   const char* at = text.c_str() + std::string("a,b,c\n").size();
   std::size_t different = 0;
   for (const Values& row : rows) {
@@ -80,18 +78,18 @@ TEST_CASE("CSV: every double reads back as itself, through a buffer many times f
 }
 
 TEST_CASE("CSV: a header longer than the buffer") {
-  Directory here;
+  TemporaryDirectory here;
   const std::string name(100000, 'n');
   const std::string other(100000, 'o');
   CsvWriter csv(here.path / "run.csv", Names{name, other});
   csv.row(Values{1, 2});
   csv.row(Values{3, 4});
   csv.commit();
-  CHECK(content(here.path / "run.csv") == name + "," + other + "\n1,2\n3,4\n");
+  CHECK(content_of(here.path / "run.csv") == name + "," + other + "\n1,2\n3,4\n");
 }
 
 TEST_CASE("CSV: misuse is said") {
-  Directory here;
+  TemporaryDirectory here;
   const std::string file = (here.path / "run.csv").string();
   CHECK_THROWS_WITH(CsvWriter(file, Names{}), file + ": a CSV file needs at least one column");
   CHECK_THROWS_WITH(CsvWriter(file, Names{"a", "b", "a"}),
@@ -103,11 +101,11 @@ TEST_CASE("CSV: misuse is said") {
   csv.commit();
   CHECK_THROWS_AS(csv.row(Values{1, 2}), std::logic_error);
   CHECK_THROWS_AS(csv.commit(), std::logic_error);
-  CHECK(content(file) == "a,b\n");
+  CHECK(content_of(file) == "a,b\n");
 }
 
 TEST_CASE("CSV: numbers and words, cell by cell") {
-  Directory here;
+  TemporaryDirectory here;
   CsvWriter csv(here.path / "run.csv", Names{"x", "name"});
   csv.cell(0.5);
   csv.cell(std::string("a,b"));
@@ -124,7 +122,7 @@ TEST_CASE("CSV: a full device fails, at the latest in commit") {
 }
 
 TEST_CASE("CSV: without commit there is no file") {
-  Directory here;
+  TemporaryDirectory here;
   {
     CsvWriter csv(here.path / "run.csv", Names{"a"});
     for (int i = 0; i < 100000; ++i) csv.row(Values{0.5});

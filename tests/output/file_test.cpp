@@ -12,14 +12,12 @@
 #include <system_error>
 
 #include "catch.hpp"
-#include "directory.hpp"
+#include "temporary.hpp"
 
 namespace rotor {
 namespace {
 
 namespace fs = std::filesystem;
-using test::content;
-using test::Directory;
 
 template <class Action>
 std::string failure(Action action) {
@@ -48,7 +46,7 @@ struct FileSizeLimit {
 };
 
 TEST_CASE("a file appears whole, with commit") {
-  Directory here;
+  TemporaryDirectory here;
   const fs::path file = here.path / "new";
   {
     OutputFile output(file);
@@ -56,16 +54,16 @@ TEST_CASE("a file appears whole, with commit") {
     CHECK_FALSE(fs::exists(file));
     output.write("two");
     output.commit();
-    CHECK(content(file) == "one two");
+    CHECK(content_of(file) == "one two");
     CHECK_THROWS_AS(output.write("three"), std::logic_error);
     CHECK_THROWS_AS(output.commit(), std::logic_error);
   }
-  CHECK(content(file) == "one two");
+  CHECK(content_of(file) == "one two");
   CHECK(here.entries() == 1);
 }
 
 TEST_CASE("without commit the old content stands and nothing is left behind") {
-  Directory here;
+  TemporaryDirectory here;
   const fs::path file = here.path / "kept";
   write_file(file, "old");
   {
@@ -73,12 +71,12 @@ TEST_CASE("without commit the old content stands and nothing is left behind") {
     output.write("new");
     CHECK(here.entries() == 2);
   }
-  CHECK(content(file) == "old");
+  CHECK(content_of(file) == "old");
   CHECK(here.entries() == 1);
 }
 
 TEST_CASE("after a failed write the old content stands and nothing is left behind") {
-  Directory here;
+  TemporaryDirectory here;
   const fs::path file = here.path / "kept";
   write_file(file, "old");
   {
@@ -86,12 +84,12 @@ TEST_CASE("after a failed write the old content stands and nothing is left behin
     CHECK(failure([&] { write_file(file, std::string(1001, 'x')); }) ==
           file.string() + ": File too large");
   }
-  CHECK(content(file) == "old");
+  CHECK(content_of(file) == "old");
   CHECK(here.entries() == 1);
 }
 
 TEST_CASE("a failed rename says so and leaves nothing behind") {
-  Directory here;
+  TemporaryDirectory here;
   const fs::path file = here.path / "name";
   OutputFile output(file);
   fs::create_directory(file);
@@ -100,7 +98,7 @@ TEST_CASE("a failed rename says so and leaves nothing behind") {
 }
 
 TEST_CASE("what cannot be opened is named with the reason") {
-  Directory here;
+  TemporaryDirectory here;
   const auto failed = [](const fs::path& file) {
     return failure([&] { OutputFile output(file); });
   };
@@ -121,14 +119,14 @@ TEST_CASE("a full device is an error") {
 }
 
 TEST_CASE("the longest name that a file may have will do") {
-  Directory here;
+  TemporaryDirectory here;
   const fs::path file = here.path / std::string(255, 'n');
   write_file(file, "content");
-  CHECK(content(file) == "content");
+  CHECK(content_of(file) == "content");
 }
 
 TEST_CASE("permissions: those of the replaced file, else those of the umask") {
-  Directory here;
+  TemporaryDirectory here;
   const fs::path file = here.path / "file";
   const mode_t before = umask(027);
   write_file(file, "new");
@@ -140,7 +138,7 @@ TEST_CASE("permissions: those of the replaced file, else those of the umask") {
 }
 
 TEST_CASE("a protected file is not replaced") {
-  Directory here;
+  TemporaryDirectory here;
   const fs::path file = here.path / "protected";
   write_file(file, "old");
   fs::permissions(file, fs::perms{0444});
@@ -151,11 +149,11 @@ TEST_CASE("a protected file is not replaced") {
   const std::string message = failure([&] { write_file(file, "new"); });
   if (is_root) REQUIRE(seteuid(0) == 0);
   CHECK(message == file.string() + ": Permission denied");
-  CHECK(content(file) == "old");
+  CHECK(content_of(file) == "old");
 }
 
 TEST_CASE("a symbolic link stays, its end is replaced or made") {
-  Directory here;
+  TemporaryDirectory here;
   fs::create_directory(here.path / "data");
   fs::create_symlink("data/second", here.path / "first");
   fs::create_symlink("file", here.path / "data" / "second");
@@ -163,7 +161,7 @@ TEST_CASE("a symbolic link stays, its end is replaced or made") {
     write_file(here.path / "first", text);
     CHECK(fs::is_symlink(here.path / "first"));
     CHECK(fs::is_symlink(here.path / "data" / "second"));
-    CHECK(content(here.path / "data" / "file") == text);
+    CHECK(content_of(here.path / "data" / "file") == text);
   }
 }
 
@@ -179,7 +177,7 @@ TEST_CASE("a pipe is written directly") {
 }
 
 TEST_CASE("our own output, sent to a file, keeps its order") {
-  Directory here;
+  TemporaryDirectory here;
   const fs::path file = here.path / "out";
   std::fflush(stdout);
   const int before = dup(STDOUT_FILENO);
@@ -193,7 +191,7 @@ TEST_CASE("our own output, sent to a file, keeps its order") {
   close(before);
   close(out);
   CHECK(failed == "no failure");
-  CHECK(content(file) == "before table after");
+  CHECK(content_of(file) == "before table after");
 }
 
 }  // namespace

@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "directory.hpp"
 #include "output/file.hpp"
 #include "rotation/factoring.hpp"
+#include "temporary.hpp"
 
 namespace rotor {
 namespace {
 
-using test::Directory;
 using Names = std::vector<std::string>;
 using Rotations = std::vector<Rotation>;
 
@@ -75,7 +74,7 @@ TEST_CASE("List: a file of each face reads back as the same operators") {
   const Rotations list = some_rotations();
   for (const std::string& face : face_names()) {
     CAPTURE(face);
-    Directory here;
+    TemporaryDirectory here;
     const auto file = here.path / "list.csv";
     const Names columns = face == "axis_angle" ? Names{"axis", "angle"} : Names{face};
     CHECK(write_csv(list, RotationColumns(columns), file, "a test"));
@@ -96,7 +95,7 @@ TEST_CASE("List: a file of each face reads back as the same operators") {
         CHECK(distance(back[i], list[i]) < 1.5e-15);
       }
     }
-    const std::string json = test::content(file.string() + ".json");
+    const std::string json = content_of(file.string() + ".json");
     for (const char* piece : {"\"rows\": 200", "\"scene\": \"a test\"", "scalar first"})
       CHECK(json.find(piece) != std::string::npos);
   }
@@ -111,7 +110,7 @@ class File {
   }
 
  private:
-  Directory here_;
+  TemporaryDirectory here_;
 };
 
 TEST_CASE("List: the face that keeps most is read, or the one asked for") {
@@ -166,11 +165,11 @@ TEST_CASE("List: a row that is no rotation is named by its line") {
 }
 
 TEST_CASE("List: empty lists, full devices and tables") {
-  Directory here;
+  TemporaryDirectory here;
   const auto file = here.path / "list.csv";
   const RotationColumns standard(RotationColumns::standard());
   CHECK(write_csv(Rotations{}, standard, file, ""));
-  CHECK(test::content(file) == "angle_rad,axis_x,axis_y,axis_z\n");
+  CHECK(content_of(file) == "angle_rad,axis_x,axis_y,axis_z\n");
   CHECK(rotations_of(read_csv(file)).empty());
   CHECK(!write_csv(some_rotations(), standard, "/dev/null", ""));
   CHECK_THROWS_WITH(write_csv(some_rotations(), standard, "/dev/full", ""),
@@ -193,7 +192,7 @@ TEST_CASE("List: times are the column t, one for each rotation") {
         "0.1        -0.5\n");
   const RotationColumns columns(Names{"angle", "axis", "t"}, true);
   CHECK(table(list, columns, 17, times).starts_with("i  angle_rad"));
-  Directory here;
+  TemporaryDirectory here;
   const auto file = here.path / "list.csv";
   CHECK(write_csv(list, columns, file, "", times));
   const CsvTable back = read_csv(file);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "directory.hpp"
 #include "motion/times.hpp"
+#include "temporary.hpp"
 
 using namespace rotor;
 
@@ -96,14 +96,14 @@ TEST_CASE("The vectors of a state hold through all turns, where their angle is r
 }
 
 TEST_CASE("A CSV file has the states, to the last digit, and its JSON where they come from") {
-  const test::Directory directory;
+  const TemporaryDirectory directory;
   const std::filesystem::path file = directory.path / "run.csv";
   const Run run = coning();
   const std::vector<double> times = times_in(0, 3, 7);
   const std::vector<std::string> names = {"t", "angle", "axis"};
   CHECK(write_csv(run, times, StateColumns(names), file, "a script"));
 
-  std::istringstream lines(test::content(file));
+  std::istringstream lines(content_of(file));
   std::string line;
   std::getline(lines, line);
   CHECK(line == "t,angle_rad,axis_x,axis_y,axis_z");
@@ -119,7 +119,7 @@ TEST_CASE("A CSV file has the states, to the last digit, and its JSON where they
     }
   }
   CHECK(row == 7);
-  const std::string json = test::content(file.string() + ".json");
+  const std::string json = content_of(file.string() + ".json");
   for (const char* piece : {"\"rows\": 7", "\"omega\": \"coning\"", "\"method\": \"fgl\"",
                             "\"scene\": \"a script\"", "\"complete\": true", "\"angle_rad\""}) {
     CHECK(json.find(piece) != std::string::npos);
@@ -128,7 +128,7 @@ TEST_CASE("A CSV file has the states, to the last digit, and its JSON where they
 }
 
 TEST_CASE("An observer stops the writing, and the file does not appear") {
-  const test::Directory directory;
+  const TemporaryDirectory directory;
   const std::filesystem::path file = directory.path / "run.csv";
   const std::vector<std::string> names = {"t"};
   const std::vector<double> times = times_in(0, 3, 1000);
