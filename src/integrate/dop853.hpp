@@ -76,10 +76,12 @@ class Dop853 {
     turn_ = std::abs(h) * greatest_component(omega);
     const double of_state = state_rounding(equation_, y0, turn_);
     const double rounding = RoundingError::of_step(t_next, h, omega[0], omega[11]) + of_state;
-    const StepError error = error_of(y0, piece, omega, h, rounding);
+    // Where a sum of waves stands still, the rounding of their arguments does not.
+    const double scatter = std::max(rounding, kUnit * std::abs(t_next) * steepest_ * std::abs(h));
+    const StepError error = error_of(y0, piece, omega, h, scatter);
 
     double judged = error.at_end().norm() + error.doubt;
-    if (error.lost_in_rounding) judged = std::min(judged, embedded_error(y0, k, h, rounding));
+    if (error.lost_in_rounding) judged = std::min(judged, embedded_error(y0, k, h, scatter));
     double allowed = allowed_error(t, t_next, rounding, std::max(norm(omega[0]), norm(omega[11])));
     // Next to a singularity the rounding of y is all that an estimate shows, however short the
     // step.
@@ -101,6 +103,7 @@ class Dop853 {
       return false;
     }
 
+    if (error.doubt == 0) steepest_ = std::max(steepest_, norm(omega[11] - omega[0]) / std::abs(h));
     budget_.spend(judged);
     record(error, rounding);
     if (error.lost_in_rounding) sum.add(equation_.turning(sum.value(), -error.at_end()));
@@ -132,6 +135,7 @@ class Dop853 {
  private:
   // About each axis, so that none is longer than 2 pi (of a flow, between the nodes of its mesh).
   static constexpr double kLongestTurn = 3.5;
+  static constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
 
   struct StepError {
     // Rotation vectors in the body frame: at 1, 1/8, 2/8, ... 7/8 of the step.
@@ -282,7 +286,8 @@ class Dop853 {
   double max_step_;
   double h_ = 0;
   double reach_ = 0;
-  double turn_ = 0;  // the most that the last step tried can have turned about any axis
+  double steepest_ = 0;  // |omega'|, by the chords of steps without a jump
+  double turn_ = 0;      // the most that the last step tried can have turned about any axis
   bool after_rejection_ = false;
   bool exhausted_ = false;
   Vector error_ = Vector::Zero();

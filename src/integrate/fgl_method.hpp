@@ -78,10 +78,11 @@ class FglMethod {
     return std::min(error, 2 * turn) + kUnit / 24 * turn * turn / static_cast<double>(n);
   }
   // The errors of n steps, before they are appended: `error`; `noise`, of that standard deviation
-  // in each component; and, at random, an ulp or so each for their factors and the product.
-  void add_errors(double error, double noise, std::size_t n) {
+  // in each component; and, at random, an ulp or so each for their factors and the product, of what
+  // the body has turned so far.
+  void add_errors(double error, double noise, double turn, std::size_t n) {
     RoundingError rounding = rounding_;
-    rounding.add(4 * kUnit, 3 * static_cast<double>(n));
+    rounding.add(4 * kUnit * std::min(1.0, turned_ + turn), 3 * static_cast<double>(n));
     rounding.add(noise, 3);
     const double sum = error_ + error;
     // A step that is noise is none, or a pole is in it.
@@ -92,6 +93,7 @@ class FglMethod {
     }
     error_ = sum;
     rounding_ = rounding;
+    turned_ += turn;
   }
 
   // The step, or nothing where it has to be shorter: omega is not finite somewhere in it, and
@@ -130,6 +132,7 @@ class FglMethod {
   std::exception_ptr failure_;
   double failed_at_ = 0;
   double uneven_ = 0;
+  double turned_ = 0;  // rad, along the way
 };
 
 }  // namespace rotor

@@ -55,10 +55,10 @@ class FglPanels : public FglMethod {
     const double noise = 1.75 * h * panel.noise() * std::sqrt(kept_noise(panel, turn));
     if (is_turn(panel)) {
       const double unit = panel.is_constant() ? kExtendedUnit : kUnit;
-      add_errors(error + turn * unit, noise, 1);
+      add_errors(error + turn * unit, noise, turn, 1);
       flow_->append_turn(panel, turn);
     } else if (take_steps(panel, turn)) {
-      add_errors(with_rounding(error + spent_ + h * panel.aside(), turn, u_.size()), noise,
+      add_errors(with_rounding(error + spent_ + h * panel.aside(), turn, u_.size()), noise, turn,
                  u_.size());
       flow_->append(panel, u_, turn);
     } else {
@@ -113,7 +113,7 @@ class FglPanels : public FglMethod {
       const auto n = static_cast<std::size_t>(steps);
       const double may = allowed(step_budget_, panel.begin(), panel.end(), turn) / steps;
       const double worst = run_steps(panel, n, may);
-      length_ = h / steps * factor(worst, 0.5, 2);
+      length_ = h / steps * factor(worst, 0.5, 16);
       if (worst <= 1) break;
       steps = std::max(steps + 1, std::ceil(h / length_));
     }

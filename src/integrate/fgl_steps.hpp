@@ -74,7 +74,7 @@ class FglSteps : public FglMethod {
     const double aside = turn > 0 ? late * late / (3 * greatest) : 0;
     // 0.55^2: the square sum of the weights; twice, as eight samples tell the noise no better.
     add_errors(with_rounding(step.error + aside, turn, n),
-               1.1 * noise / std::sqrt(static_cast<double>(n)), n);
+               1.1 * noise / std::sqrt(static_cast<double>(n)), turn, n);
     if (n == 1) {
       append(t_next, step, turn);
     } else {

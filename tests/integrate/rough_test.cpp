@@ -11,8 +11,8 @@
 namespace {
 
 using namespace rotor;
-using closed_form::greatest_error, closed_form::Piecewise, closed_form::scene,
-    closed_form::to_accuracy, closed_form::Turning;
+using closed_form::by_dop853, closed_form::greatest_error, closed_form::Piecewise,
+    closed_form::scene, closed_form::to_accuracy, closed_form::Turning;
 
 template <class Truth>
 void check_promise(const Propagator& run, const Truth& truth) {
@@ -113,6 +113,35 @@ TEST_CASE("the same motion fast or slow: |omega| from 1e-300 to 1e300") {
         propagate(closed_form::by_rk4(0.2 / s, scene(motion.omega(), 0, 100 / s)));
     CHECK(fixed.error_estimate == Approx(greatest_error(fixed, motion)).epsilon(0.1));
   }
+}
+
+TEST_CASE("of a slow motion only the rounding of the quaternion is stated") {
+  for (const double size : {1e-8, 1e-300}) {
+    const AngularVelocity omega(
+        [size](double t) { return Vector(size * std::cos(t), size * std::sin(2 * t), 0); });
+    for (const Scene& s : {closed_form::to_accuracy(1e-10, scene(omega, 0, 10)),
+                           by_dop853(1e-10, scene(omega, 0, 10))}) {
+      const Propagator run = propagate(s);
+      CAPTURE(size, run.method);
+      // Four components of half an ulp, and what its steps add to so little.
+      CHECK(run.error_estimate < 4 * std::numeric_limits<double>::epsilon());
+      // The integrals of omega: the body has not turned yet.
+      const double t = 7.3;
+      const Vector turned(size * std::sin(t), size * std::pow(std::sin(t), 2), 0);
+      CHECK((2 * run(t).vec() - turned).norm() <= std::min(run.error_estimate, 1e-6 * size));
+    }
+  }
+}
+
+TEST_CASE("where waves cancel, their rounding does not, and steps are not shortened for it") {
+  // At t = 15.7487 sin 3t + 0.3 cos 17t stands still.
+  const AngularVelocity omega([](double t) {
+    return Vector(std::sin(3 * t) + 0.3 * std::cos(17 * t),
+                  std::exp(-t / 50) * std::cos(t * t / 40), 0.5 * std::log(1 + t));
+  });
+  const Propagator run = propagate(by_dop853(1e-12, scene(omega, 0, 20)));
+  REQUIRE(!run.stop);
+  CHECK(run.cost.steps < 3000);
 }
 
 TEST_CASE("a run may start late, be short, and turn fast") {
