@@ -129,7 +129,7 @@ local function quaternion_of(value, t)
 end
 
 -- The greatest distance of a run from the reference at its times.
-local function achieved(run, reference)
+local function distance_from(reference, run)
   local greatest = 0.0
   for i, t in ipairs(reference.times) do
     greatest = math.max(greatest, distance(reference.quaternions[i], run(t).quaternion))
@@ -137,10 +137,11 @@ local function achieved(run, reference)
   return greatest
 end
 
--- The reference ------------------------------------------------------------------------------------------------------
+-- References ---------------------------------------------------------------------------------------------------------
 
-local function tabulated(at, t0, t1)
-  local reference = { times = {}, quaternions = {} }
+-- The quaternions of `at` at the times of comparison; `text` says what it is, `error` how far it may be off.
+local function tabulated(at, t0, t1, what, error_of_it)
+  local reference = { times = {}, quaternions = {}, text = what, error = error_of_it }
   for i = 1, kTimes do
     local t = i < kTimes and t0 + (t1 - t0)*(i/kTimes) or t1
     reference.times[i], reference.quaternions[i] = t, at(t)
@@ -149,14 +150,11 @@ local function tabulated(at, t0, t1)
 end
 
 local function of_run(run, what, error_of_run)
-  local reference = tabulated(function(t) return run(t).quaternion end, run.t0, run.t1)
-  reference.text, reference.error = what, error_of_run
-  return reference
+  return tabulated(function(t) return run(t).quaternion end, run.t0, run.t1, what, error_of_run)
 end
 
--- The exact model where there is one; else of the two best methods, which have nothing in common, the one whose
--- certificate is better, with its distance from the other.
-local function best_reference(options)
+-- The exact model where there is one; else a run by each of the two best methods, which have nothing in common.
+local function best_references(options)
   local scene = {}
   for _, key in ipairs(kScene) do scene[key] = options[key] end
   scene.equation, scene.f, scene.restart = nil, nil, nil
@@ -165,38 +163,55 @@ local function best_reference(options)
   for _, method in ipairs { "auto", "dop853" } do
     scene.method = method
     local run, stop = made(scene)
-    if run and run.method == "exact" then return of_run(run, "exact: " .. run.why, run.error_estimate) end
+    local exact = run and run.method == "exact"
     stopped = stopped or stop
-    if run then found[#found + 1] = { run = run, error = run:certify().estimate } end
+    if run then
+      local off = exact and run.error_estimate or run:certify().estimate
+      local what = exact and "exact: " .. run.why or ("%s, certified to %.1e rad"):format(run.method, off)
+      found[#found + 1] = of_run(run, what, off)
+      found[#found].method = run.method
+    end
+    if exact then break end
   end
   if #found == 0 then error(stopped, 0) end
-  table.sort(found, function(a, b) return a.error < b.error end)
-  local best = found[1]
-  local what = ("%s, certified to %.1e rad"):format(best.run.method, best.error)
-  local reference = of_run(best.run, what, best.error)
-  if found[2] then
-    reference.text = ("%s; %s differs by %.1e"):format(what, found[2].run.method,
-      achieved(found[2].run, reference))
-  end
-  return reference
+  return found
 end
 
-local function reference_of(options, t0, t1)
+local function references_of(options, t0, t1)
   local given = options.reference
-  if given == nil then return best_reference(options) end
+  if given == nil then return best_references(options) end
   if names.type_of(given) == "run" then
     if given.t0 ~= t0 or given.t1 ~= t1 then
       refuse("reference: the run given is from %s to %s, the scene from %s to %s", text.number(given.t0),
         text.number(given.t1), text.number(t0), text.number(t1))
     end
-    return of_run(given, "a run given, " .. given.method, given.error_estimate)
+    return { of_run(given, "a run given, " .. given.method, given.error_estimate) }
   end
   if type(given) ~= "function" then
     refuse("reference: expected a run, or a function of t that gives a rotation, got %s", names.type_of(given))
   end
-  local reference = tabulated(function(t) return quaternion_of(given(t), t) end, t0, t1)
-  reference.text = "a function given"
-  return reference
+  return { tabulated(function(t) return quaternion_of(given(t), t) end, t0, t1, "a function given", 0.0) }
+end
+
+local function text_of(references)
+  local texts = {}
+  for i, reference in ipairs(references) do texts[i] = reference.text end
+  return table.concat(texts, "; ") .. (#texts > 1 and "; for each row the one of another method" or "")
+end
+
+-- The error of a run, by the reference, which is of another method unless it was given or exact. Where that is not ten
+-- times better than the run it may be off by as much as both, and the run's own certificate may tell more.
+local function achieved(run, references)
+  local most = math.huge
+  for _, reference in ipairs(references) do
+    if reference.method ~= run.method then
+      local apart = distance_from(reference, run)
+      if apart >= 10*reference.error then return apart, false end
+      most = apart + reference.error
+    end
+  end
+  local certified = run:certify().estimate
+  return math.min(most, certified), certified < most
 end
 
 -- The value ----------------------------------------------------------------------------------------------------------
@@ -209,7 +224,7 @@ local kHeader = { "asked", "achieved", "estimate", "omega calls", "steps", "seco
 local function cells(row)
   local asked = row.asked and ("%.0e"):format(row.asked) or row.step and "step " .. text.number(row.step) or "-"
   if row.stopped then return { asked, row.stopped } end
-  return { asked, ("%.1e"):format(row.achieved), ("%.1e"):format(row.estimate), tostring(row.omega_calls),
+  return { asked, ("%.1e"):format(row.achieved) .. (row.certified and "*" or " "), ("%.1e"):format(row.estimate), tostring(row.omega_calls),
     tostring(row.steps), ("%.2g"):format(row.seconds) }
 end
 
@@ -236,7 +251,12 @@ function meta.__tostring(self)
     text.wrap(self.reference, "  reference  ", "             "),
     line("method", kHeader),
   }
-  for k, row in ipairs(self.rows) do lines[#lines + 1] = line(row.method, rows[k], row.stopped) end
+  local certified = false
+  for k, row in ipairs(self.rows) do
+    lines[#lines + 1] = line(row.method, rows[k], row.stopped)
+    certified = certified or row.certified
+  end
+  if certified then lines[#lines + 1] = "* by the certificate of the run: the reference is not ten times better" end
   return table.concat(lines, "\n")
 end
 
@@ -282,21 +302,21 @@ local function measured(options)
   check_keys(options)
   local t0, t1 = interval_of(options)
   local runs = runs_of(options)
-  local reference = reference_of(options, t0, t1)
+  local references = references_of(options, t0, t1)
   local rows = {}
   for i, one in ipairs(runs) do
     local row = { method = one.label, asked = one.options.accuracy, step = one.options.step }
     local run, seconds = timed(one.options)
     if run then
-      row.achieved, row.estimate = achieved(run, reference), run.error_estimate
+      row.achieved, row.certified = achieved(run, references)
+      row.estimate = run.error_estimate
       row.omega_calls, row.steps, row.seconds = run.cost.omega_calls, run.cost.steps, seconds
     else
       row.stopped = ("stopped at t = %s: %s"):format(text.number(seconds.t), seconds.reason)
     end
     rows[i] = row
   end
-  return setmetatable({ rows = rows, reference = reference.text, reference_error = reference.error, t0 = t0, t1 = t1 },
-    meta)
+  return setmetatable({ rows = rows, reference = text_of(references), t0 = t0, t1 = t1 }, meta)
 end
 
 --- The global function tradeoff{...}.

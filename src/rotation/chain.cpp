@@ -26,7 +26,7 @@ void require_size(std::size_t given, std::size_t axes, const char* what) {
 void require_finite_list(const std::vector<double>& list, const char* what) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string name = std::string(what) + " " + std::to_string(i + 1);
-    require_finite(std::isfinite(list[i]), name.c_str(), text(list[i]));
+    require_finite(list[i], name.c_str());
   }
 }
 
@@ -128,7 +128,7 @@ std::vector<Matrix> Chain::derivatives() const {
 }
 
 std::vector<double> Chain::rates(const Vector& omega) const {
-  require_finite(omega.allFinite(), "omega", text(omega));
+  require_finite(omega, "omega");
   const auto svd = decomposed(axes_, uncertainty_);
   const ExtendedVector wanted = omega.cast<Extended>();
   const Eigen::Matrix<Extended, Eigen::Dynamic, 1> rates = svd.solve(wanted);

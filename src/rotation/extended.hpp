@@ -1,8 +1,6 @@
 // What the formulas of this floor are computed in: extended precision, rounded once at the end.
 #pragma once
 
-#include <string>
-
 #include "rotation/rotation.hpp"
 
 namespace rotor {
@@ -17,7 +15,10 @@ ExtendedQuaternion half_angle_quaternion(const Rotation& r);
 /// N3's rule for the operator of a quaternion of any non-zero norm: the canonical rotation.
 Rotation canonical_of(ExtendedQuaternion q);
 
-/// Throws std::invalid_argument, "what: expected finite numbers, got given", unless finite.
-void require_finite(bool finite, const char* what, const std::string& given);
+/// Throws std::invalid_argument, "what: expected finite numbers, got value", unless finite.
+void require_finite(double value, const char* what);
+void require_finite(const Vector& value, const char* what);
+void require_finite(const Quaternion& value, const char* what);
+void require_finite(const Matrix& value, const char* what);
 
 }  // namespace rotor

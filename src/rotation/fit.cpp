@@ -49,11 +49,10 @@ void require_points(const std::vector<Vector>& reference, const std::vector<Vect
   if (reference.empty()) throw std::invalid_argument(what + ": expected one point or more");
   for (const auto* list : {&reference, &current}) {
     for (std::size_t i = 0; i < list->size(); ++i) {
-      require_finite((*list)[i].allFinite(),
+      require_finite((*list)[i],
                      (what + ": point " + std::to_string(i + 1) +
                       (list == &reference ? " of the first list" : " of the second list"))
-                         .c_str(),
-                     text((*list)[i]));
+                         .c_str());
     }
   }
 }

@@ -27,7 +27,7 @@ bool is_full_turn(Extended theta) {
 }
 
 Matrix inverse_jacobian(const Vector& v, double sign, const char* what) {
-  require_finite(v.allFinite(), what, text(v));
+  require_finite(v, what);
   const ExtendedVector e = sign * v.cast<Extended>();
   const Extended theta = e.norm();
   if (theta > kLongest) {
@@ -43,15 +43,15 @@ Matrix inverse_jacobian(const Vector& v, double sign, const char* what) {
 }
 
 Matrix jacobian(const Vector& v, double sign, const char* what) {
-  require_finite(v.allFinite(), what, text(v));
+  require_finite(v, what);
   return exp_jacobian(sign * v.cast<Extended>()).cast<double>();
 }
 
 }  // namespace
 
 Vector angular_velocity(const Rotation& r, double angle_rate, const Vector& axis_rate) {
-  require_finite(std::isfinite(angle_rate), "angular_velocity: angle_rate", text(angle_rate));
-  require_finite(axis_rate.allFinite(), "angular_velocity: axis_rate", text(axis_rate));
+  require_finite(angle_rate, "angular_velocity: angle_rate");
+  require_finite(axis_rate, "angular_velocity: axis_rate");
   const ExtendedVector u = r.axis().cast<Extended>();
   ExtendedVector rate = axis_rate.cast<Extended>();
   const Extended along = u.dot(rate) / u.squaredNorm();
@@ -75,7 +75,7 @@ Vector axis_rate(const Vector& n, Extended cot_half_angle, const Vector& omega) 
 }
 
 RotationRates rotation_rates(const Rotation& r, const Vector& omega) {
-  require_finite(omega.allFinite(), "rotation_rates: omega", text(omega));
+  require_finite(omega, "rotation_rates: omega");
   const Vector& n = r.axis();
   const ExtendedVector u = n.cast<Extended>();
   const ExtendedVector w = omega.cast<Extended>();

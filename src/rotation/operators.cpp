@@ -44,7 +44,7 @@ Properness proper_orthogonal(const Matrix& m, double tolerance) {
 }
 
 void require_proper_orthogonal(const Matrix& m, const char* what) {
-  require_finite(m.allFinite(), what, text(m));
+  require_finite(m, what);
   const Properness found = proper_orthogonal(m);
   if (!found.proper) {
     throw std::invalid_argument(

@@ -11,7 +11,7 @@ namespace rotor {
 namespace {
 
 ExtendedQuaternion extended(const Quaternion& q, const char* what) {
-  require_finite(q.coeffs().allFinite(), what, text(q));
+  require_finite(q, what);
   return q.cast<Extended>();
 }
 
@@ -104,7 +104,7 @@ Quaternion exp(const Quaternion& q) {
 Quaternion log(const Quaternion& q) { return log_of(non_zero(q, "log")).cast<double>(); }
 
 Quaternion power(const Quaternion& q, double x) {
-  require_finite(std::isfinite(x), "exponent", text(x));
+  require_finite(x, "exponent");
   const ExtendedQuaternion wide = extended(q, "quaternion");
   const bool is_zero = q.coeffs().isZero(0);
   if (is_zero && x < 0) throw std::invalid_argument("zero has no power " + text(x));

@@ -15,6 +15,10 @@
 namespace rotor {
 namespace {
 
+[[noreturn]] void throw_not_finite(const char* what, const std::string& given) {
+  throw std::invalid_argument(std::string(what) + ": expected finite numbers, got " + given);
+}
+
 static_assert(std::numeric_limits<Extended>::max_exponent >= 16384 &&
                   std::numeric_limits<Extended>::digits >= 64,
               "rotor needs a long double wider than double");
@@ -25,7 +29,7 @@ constexpr double kUnitTolerance = 1e-6;
 // The rotation of angle `angle_of(|v|)` about v, the identity for v = 0.
 template <class AngleOf>
 Rotation along(const Vector& v, const char* what, AngleOf angle_of) {
-  require_finite(v.allFinite(), what, text(v));
+  require_finite(v, what);
   if (v.isZero(0)) return {};
   const auto angle = static_cast<double>(angle_of(v.cast<Extended>().norm()));
   if (!std::isfinite(angle)) {
@@ -76,14 +80,21 @@ Rotation canonical_of(ExtendedQuaternion q) {
   return {leading(n) < 0 ? Vector(-n) : n, kPi};
 }
 
-void require_finite(bool finite, const char* what, const std::string& given) {
-  if (!finite) {
-    throw std::invalid_argument(std::string(what) + ": expected finite numbers, got " + given);
-  }
+void require_finite(double value, const char* what) {
+  if (!std::isfinite(value)) throw_not_finite(what, text(value));
+}
+void require_finite(const Vector& value, const char* what) {
+  if (!value.allFinite()) throw_not_finite(what, text(value));
+}
+void require_finite(const Quaternion& value, const char* what) {
+  if (!value.coeffs().allFinite()) throw_not_finite(what, text(value));
+}
+void require_finite(const Matrix& value, const char* what) {
+  if (!value.allFinite()) throw_not_finite(what, text(value));
 }
 
 Vector unit(const Vector& v, const char* what) {
-  require_finite(v.allFinite(), what, text(v));
+  require_finite(v, what);
   if (v.isZero(0)) {
     throw std::invalid_argument(std::string(what) + ": the zero vector has no direction");
   }
@@ -97,7 +108,7 @@ Vector unit(const Vector& v, const char* what) {
 double norm(const Vector& v) { return static_cast<double>(v.cast<Extended>().norm()); }
 
 Rotation::Rotation(const Vector& axis, double angle) : axis_(unit(axis, "axis")), angle_(angle) {
-  require_finite(std::isfinite(angle), "angle", text(angle));
+  require_finite(angle, "angle");
 }
 
 template <class Scalar>
@@ -156,7 +167,7 @@ Rotation operator*(const Rotation& second, const Rotation& first) {
 }
 
 Vector Rotation::operator*(const Vector& r) const {
-  require_finite(r.allFinite(), "vector", text(r));
+  require_finite(r, "vector");
   const ExtendedVector n = axis_.cast<Extended>();
   const ExtendedVector x = r.cast<Extended>();
   const Extended theta = angle_;
@@ -184,7 +195,7 @@ Rotation Rotation::canonical() const {
 }
 
 Rotation from_quaternion(const Quaternion& q) {
-  require_finite(q.coeffs().allFinite(), "from_quaternion", text(q));
+  require_finite(q, "from_quaternion");
   const double size = norm(q);
   if (std::abs(size - 1) > kUnitTolerance) {
     throw std::invalid_argument(
@@ -222,7 +233,7 @@ Rotation from_mrp(const Vector& p) {
 }
 
 Rotation nearest_rotation(const Matrix& m) {
-  require_finite(m.allFinite(), "nearest", text(m));
+  require_finite(m, "nearest");
   // With m = U S V^T the nearest rotation is U diag(1, 1, d) V^T, d = det(U V^T). It is unique iff
   // s2 + d s3 > 0 (zero: any turn in the plane of the last two singular vectors is as near).
   const Eigen::JacobiSVD<ExtendedMatrix> svd(m.cast<Extended>(),

@@ -90,7 +90,7 @@ void require_times(const std::vector<double>& times, std::size_t rotations) {
                                 std::to_string(times.size()) + " and " + std::to_string(rotations));
   }
   for (std::size_t i = 0; i < times.size(); ++i) {
-    require_finite(std::isfinite(times[i]), "spline: times", text(times[i]));
+    require_finite(times[i], "spline: times");
     if (i > 0 && !(times[i - 1] < times[i])) {
       throw std::invalid_argument("spline: expected times that rise, got " + text(times[i]) +
                                   " after " + text(times[i - 1]));
@@ -105,8 +105,8 @@ Spline::Spline(std::vector<double> times, const std::vector<Rotation>& rotations
     : times_(std::move(times)) {
   require_times(times_, rotations.size());
   if (rates) {
-    require_finite(rates->first.allFinite(), "spline: rates", text(rates->first));
-    require_finite(rates->last.allFinite(), "spline: rates", text(rates->last));
+    require_finite(rates->first, "spline: rates");
+    require_finite(rates->last, "spline: rates");
   }
   set_segments(rotations);
   const std::vector<ExtendedVector> omega = node_rates(rates, look);

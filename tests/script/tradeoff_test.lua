@@ -27,11 +27,10 @@ equal(known.rows[1].step, 0.5)
 equal(known.rows[1].asked, nil)
 equal(known.reference, "a function given")
 
--- Without a reference: the certified one gives the same, to its own error.
+-- Without a reference: two methods, certified, give the same, each for the rows of the other.
 local own = tradeoff { omega = omega, to = 100, methods = { "dop853", "rk4" }, steps = { 0.5 },
   accuracies = { 1e-4, 1e-8 } }
 equal(#own.rows, 3)
-within(own.reference_error, 0, 1e-12, "the reference's error")
 within(own.rows[3].achieved, 2.97465e-3, 2.97475e-3, "h = 0.5")
 for i = 1, 2 do
   local row = own.rows[i]
@@ -39,7 +38,15 @@ for i = 1, 2 do
   within(row.achieved, 0, row.asked, "kept")
   within(row.seconds, 0, 60, "seconds")
 end
-contains(own.reference, "certified to")
+contains(own.reference, "fgl, certified to ")
+contains(own.reference, "dop853, certified to ")
+equal(own.rows[3].certified, false)
+
+-- At the level of rounding, or by the method of a reference, a run is certified: it is not held against itself.
+local finest = tradeoff { omega = omega, to = 100, methods = { "fgl", "dop853" }, accuracies = { 1e-12 } }
+for _, row in ipairs(finest.rows) do within(row.achieved, 1e-16, 1e-12, row.method) end
+equal(finest.rows[1].certified, true)
+contains(tostring(finest), "* by the certificate of the run")
 
 -- The exact model, where there is one; a run as the reference; options of a method; backward.
 local exact = tradeoff { omega = spin.turning { vector = { 1, 0, 0 }, about = { 0, 0, 1 }, rate = a }, t = { 5, -20 },
@@ -47,7 +54,8 @@ local exact = tradeoff { omega = spin.turning { vector = { 1, 0, 0 }, about = { 
 contains(exact.reference, "exact: ")
 equal(exact.t0, 5.0)
 equal(exact.t1, -20.0)
-equal(exact.rows[1].achieved, 0.0)
+within(exact.rows[1].achieved, 1e-16, 1e-13, "the exact motion is certified")
+equal(exact.rows[1].certified, true)
 equal(exact.rows[2].method, "classical")
 within(exact.rows[2].achieved, 1e-7, 1e-5, "RK4, h = 0.1, a quarter of the way")
 local given = tradeoff { omega = { 0, 0, 1 }, to = 3, methods = { "dop853" }, accuracies = { 1e-6 },
@@ -64,7 +72,7 @@ contains(tostring(stopped), "stopped at t = ")
 within(stopped.rows[2].achieved, 0, pi, "the other")
 
 -- The texts fit and say what they are.
-for _, value in ipairs { known, own, exact, stopped } do
+for _, value in ipairs { known, own, finest, exact, stopped } do
   fits(tostring(value))
   contains(tostring(value), "method")
   contains(tostring(value), "omega calls")
