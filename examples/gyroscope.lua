@@ -49,7 +49,11 @@ local function report(w, run, drift)
 end
 
 if arg[1] then
-  local w = spin.sampled(arg[1])
+  local read, w = pcall(spin.sampled, arg[1])
+  if not read then
+    io.stderr:write("gyroscope.lua: ", w, "\n")
+    os.exit(1)
+  end
   report(w, follow(w), (tonumber(arg[2]) or 0.01)*deg)
   return
 end

@@ -10,6 +10,7 @@ local help = {}
 local kMentions = 6  -- as many rows as a search shows
 local kRelated = 6  -- as many names under "See also"
 local kBrief = 96  -- characters of a summary in a list
+local kScreen = 23  -- lines, beside that of the prompt
 
 --- The order in which the overview and the reference show the global names; what is not here comes under "Other".
 help.topics = {
@@ -73,31 +74,53 @@ local function brief(summary)
   return sentence:sub(1, kBrief):match "^(.-)[,;:]?%s%S*$" .. " ..."
 end
 
--- Usage and first sentence, a row a line. Under a type's heading its name goes without saying: ".axis -> vec".
+-- Under a type's heading its name goes without saying: ".axis -> vec".
+local function usage_in_list(row, under_type)
+  local usage = help.usage(row)
+  return under_type and row.kind ~= "operator" and usage:gsub("^[%a_][%w_]*([.:])", "%1") or usage
+end
+
+-- Usage and first sentence, a row a paragraph.
 local function in_short(rows, under_type)
   local cells = {}
-  for i, row in ipairs(rows) do
-    local usage = help.usage(row)
-    if under_type and row.kind ~= "operator" then usage = usage:gsub("^[%a_][%w_]*([.:])", "%1") end
-    cells[i] = { usage, brief(row.summary or "") }
-  end
+  for i, row in ipairs(rows) do cells[i] = { usage_in_list(row, under_type), brief(row.summary or "") } end
   return text.two_columns(cells, 30)
 end
 
--- What a type's values can do, and where they come from.
+-- The same, a row a line: the options are left out, and what does not fit.
+local function in_lines(rows, under_type)
+  local cells, columns = {}, 0
+  for i, row in ipairs(rows) do
+    local usage = usage_in_list(row, under_type):gsub(" %-> .*$", ""):gsub("%b{}", "{...}")
+    cells[i] = { usage, brief(row.summary or "") }
+    if text.width(usage) <= 30 then columns = math.max(columns, text.width(usage)) end
+  end
+  for i, cell in ipairs(cells) do
+    local line = ("  %s%s  %s"):format(cell[1], (" "):rep(columns - text.width(cell[1])), cell[2])
+    local fits = text.width(line) <= text.columns
+    cells[i] = fits and line or line:sub(1, text.columns - 4):match "^(.-)[,;:]?%s%S*$" .. " ..."
+  end
+  return table.concat(cells, "\n")
+end
+
+local kTypeGroups = { { "Fields", "field" }, { "Methods", "method" }, { "Operators", "operator" },
+  { "Functions", "function" }, { "Values", "value" } }
+
+-- What a type's values can do, and where they come from: in lines where a screen has no room for paragraphs.
 local function about_type(name)
   local makers = names.select(function(row) return row.result == name and row.owner ~= name and row.kind ~= "field" end)
   for i, row in ipairs(makers) do makers[i] = names.full_name(row) end
-  local parts = { "Type " .. name .. (makers[1] and ", made by " .. table.concat(makers, ", ") or "") }
-  parts[1] = text.wrap(parts[1], "", "    ")
-  for _, group in ipairs { { "Fields", "field" }, { "Methods", "method" }, { "Operators", "operator" },
-    { "Functions", "function" }, { "Values", "value" } } do
-    local rows = names.members(name, group[2])
-    if #rows > 0 then
-      parts[#parts + 1] = "\n" .. group[1] .. "\n" .. in_short(rows, group[2] ~= "function")
+  local head = text.wrap("Type " .. name .. (makers[1] and ", made by " .. table.concat(makers, ", ") or ""), "", "    ")
+  local function parts(list, between)
+    local all = { head }
+    for _, group in ipairs(kTypeGroups) do
+      local rows = names.members(name, group[2])
+      if #rows > 0 then all[#all + 1] = between .. group[1] .. "\n" .. list(rows, group[2] ~= "function") end
     end
+    return table.concat(all, "\n")
   end
-  return table.concat(parts, "\n")
+  local long = parts(in_short, "\n")
+  return select(2, long:gsub("\n", "")) < kScreen - 1 and long or parts(in_lines, "")
 end
 
 local function about_rows(rows)
@@ -277,10 +300,12 @@ Unlike lua5.4: status 1 after an error on piped input; numbers know no locale.]]
 --- The overview: what to type first, the names by topic, the conventions. It fits a screen of 80 x 24.
 function help.overview()
   local rows = {}
-  for i, topic in ipairs(help.by_topic()) do
+  for _, topic in ipairs(help.topics) do
     local list = {}
-    for k, row in ipairs(topic[2]) do list[k] = row.name end
-    rows[i] = { topic[1], table.concat(list, " ") }
+    for name in topic[2]:gmatch "%S+" do
+      if names.find("", name) or names.is_library(name) then list[#list + 1] = name end
+    end
+    rows[#rows + 1] = { topic[1], table.concat(list, " ") }
   end
   local list = {}
   for name in kOfRotation:gmatch "%S+" do list[#list + 1] = names.find("rotation", name) and name end

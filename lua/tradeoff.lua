@@ -224,8 +224,8 @@ local kHeader = { "asked", "achieved", "estimate", "omega calls", "steps", "seco
 local function cells(row)
   local asked = row.asked and ("%.0e"):format(row.asked) or row.step and "step " .. text.number(row.step) or "-"
   if row.stopped then return { asked, row.stopped } end
-  return { asked, ("%.1e"):format(row.achieved) .. (row.certified and "*" or " "), ("%.1e"):format(row.estimate), tostring(row.omega_calls),
-    tostring(row.steps), ("%.2g"):format(row.seconds) }
+  return { asked, ("%.1e"):format(row.achieved) .. (row.certified and "*" or " "), ("%.1e"):format(row.estimate),
+    tostring(row.omega_calls), tostring(row.steps), ("%.2g"):format(row.seconds) }
 end
 
 -- The table, for the terminal.

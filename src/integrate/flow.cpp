@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "rotation/text.hpp"
@@ -14,6 +15,11 @@ Quaternion FixedAxisFlow::at(double t) const {
   q.w() = static_cast<double>(std::cos(half));
   q.vec() = direction_ * static_cast<double>(std::sin(half));
   return q;
+}
+
+bool FixedAxisFlow::can_reach(const Quaternion& target, double distance) const {
+  return norm(direction_.cross(target.vec())) <=
+         distance + 4 * std::numeric_limits<double>::epsilon();
 }
 
 UniformTurn::UniformTurn(const Vector& omega, double t0, double t1)

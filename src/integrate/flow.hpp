@@ -46,6 +46,8 @@ class FixedAxisFlow : public Flow {
 
   Quaternion at(double t) const final;
   Vector generator(double t) const final { return direction_ * rate(t); }
+  /// U stays on the great circle of its direction.
+  bool can_reach(const Quaternion& target, double distance) const final;
 
  private:
   Vector direction_;

@@ -61,8 +61,7 @@ Plan plan(const Scene& scene) {
   switch (scene.method) {
     case Method::kAuto:
       require(!scene.step, "step is for method = \"rk4\"; the other methods take accuracy");
-      if (!linear)
-        return {Method::kDop853, "of the methods that follow this equation the adaptive one"};
+      if (!linear) return {Method::kDop853, "the adaptive method for this equation"};
       if (!model.empty()) return {Method::kExact, model};
       return {Method::kFgl, scene.omega.dear() ? "omega is dear to call: two levels"
                                                : "omega is cheap to call: one level"};
@@ -139,6 +138,12 @@ Quaternion Propagator::operator()(double t, const Quaternion& q0) const {
 Propagator propagate(const Scene& scene, const Observer& observer, const Rotation& from) {
   check(scene);
   const Plan chosen = plan(scene);
+  // An exact model may need its longest step for a part of the way only.
+  require(
+      chosen.method == Method::kExact || !scene.max_step ||
+          std::abs(scene.t1 - scene.t0) / *scene.max_step <= static_cast<double>(scene.max_steps),
+      "max_step = " + text(scene.max_step.value_or(0)) +
+          " makes more than max_steps = " + std::to_string(scene.max_steps) + " steps");
   const auto begin = std::chrono::steady_clock::now();
   Propagator result;
   result.t0 = scene.t0;

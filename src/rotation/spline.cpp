@@ -222,7 +222,7 @@ std::vector<ExtendedVector> Spline::node_rates(const std::optional<EndRates>& ra
   return now;
 }
 
-Spline::Place Spline::place(double t) const {
+Spline::Expansion Spline::expansion(double t) const {
   if (!(t >= times_.front() && t <= times_.back())) {
     throw std::out_of_range("t = " + text(t) + " is outside the spline, " + text(times_.front()) +
                             " .. " + text(times_.back()));
@@ -232,23 +232,26 @@ Spline::Place Spline::place(double t) const {
   const Segment& s = segments_[i];
   const Extended h = s.duration;
   const Extended x = (Extended{t} - times_[i]) / h;
-  const ExtendedVector phi = ((s.c * x + s.b) * x + s.a) * x;
-  return {s.from * exp(phi), phi, ((3 * s.c * x + 2 * s.b) * x + s.a) / h,
-          (6 * s.c * x + 2 * s.b) / h / h};
+  return {s.from,
+          {((s.c * x + s.b) * x + s.a) * x, ((3 * s.c * x + 2 * s.b) * x + s.a) / h,
+           (3 * s.c * x + s.b) / h / h, s.c / h / h / h}};
 }
 
-Rotation Spline::operator()(double t) const { return rotation_of(place(t).attitude); }
+Rotation Spline::operator()(double t) const {
+  const auto [from, phi] = expansion(t);
+  return rotation_of(ExtendedQuaternion(from * exp(phi[0])));
+}
 
 Vector Spline::omega(double t) const {
-  const Place p = place(t);
-  return (p.attitude * (body_jacobian(p.phi) * p.rate)).cast<double>();
+  const auto [from, phi] = expansion(t);
+  return (from * (exp(phi[0]) * (body_jacobian(phi[0]) * phi[1]))).cast<double>();
 }
 
 Vector Spline::acceleration(double t) const {
-  const Place p = place(t);
+  const auto [from, phi] = expansion(t);
   const ExtendedVector in_body =
-      body_jacobian(p.phi) * p.acceleration + turning_derivative(p.phi, p.rate) * p.rate / 2;
-  return (p.attitude * in_body).cast<double>();
+      body_jacobian(phi[0]) * (2 * phi[2]) + turning_derivative(phi[0], phi[1]) * phi[1] / 2;
+  return (from * (exp(phi[0]) * in_body)).cast<double>();
 }
 
 }  // namespace rotor

@@ -1,6 +1,7 @@
 // Interpolation of rotations with continuous angular velocity and acceleration.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -42,6 +43,13 @@ class Spline {
   /// Its derivative, in the space frame.
   Vector acceleration(double t) const;
 
+  /// R(t + s) = from exp(phi[0] + phi[1] s + phi[2] s^2 + phi[3] s^3) as far as the next time.
+  struct Expansion {
+    ExtendedQuaternion from;
+    std::array<ExtendedVector, 4> phi;
+  };
+  Expansion expansion(double t) const;
+
  private:
   // phi(x) = a x + b x^2 + c x^3, x = (t - t_i)/duration in [0, 1].
   struct Segment {
@@ -52,11 +60,6 @@ class Spline {
     ExtendedVector b = ExtendedVector::Zero();
     ExtendedVector c = ExtendedVector::Zero();
   };
-  struct Place {
-    ExtendedQuaternion attitude;
-    ExtendedVector phi, rate, acceleration;  // phi and its derivatives
-  };
-  Place place(double t) const;
   void set_segments(const std::vector<Rotation>& rotations);
   std::vector<ExtendedVector> node_rates(const std::optional<EndRates>& rates,
                                          const std::function<void()>& look) const;

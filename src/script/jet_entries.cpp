@@ -106,7 +106,7 @@ std::string text_of_jet(const Jet& x) {
 }
 
 std::vector<Vector> derivatives(const SharedRun& run, double t) {
-  if (!std::isfinite(t)) throw std::invalid_argument("expected a finite time, got " + text(t));
+  run->attitude(t);  // refuses a t outside
   const VectorJet omega = run->driver().jet(t);
   std::vector<Vector> list;
   list.reserve(Jet::kOrder + 1);
@@ -158,7 +158,7 @@ constexpr Entry kMethods[] = {
      "number that carries its derivatives, in place of t, and what comes is held against its "
      "values at t and near t. Where there are none (a kink, a jump, a function that does not take "
      "jets) the error says why.",
-     "evolve{omega = function(t) return 0, 0, t^3 end, to = 1}:derivatives(2)[3] --> vec(0.0, 0.0, "
+     "evolve{omega = function(t) return 0, 0, t^3 end, to = 2}:derivatives(2)[3] --> vec(0.0, 0.0, "
      "12.0)"},
 };
 

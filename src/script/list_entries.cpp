@@ -28,15 +28,6 @@ RotationColumns rotation_columns(lua_State* L, const Options& options, bool time
   return columns_of<RotationColumns>(L, names, timed);
 }
 
-// The option separator.
-char separator_option(const Options& options) {
-  const std::string separator = options.get<std::string>("separator").value_or(",");
-  if (separator.size() != 1)
-    throw std::invalid_argument(R"(separator: expected one character, as ";", got ")" + separator +
-                                "\"");
-  return separator[0];
-}
-
 constexpr const char* kTable = "rotation.table(rotations, {columns=, times=})";
 Results table_entry(lua_State* L) {
   const auto rotations = argument<std::vector<Rotation>>(L, 1);

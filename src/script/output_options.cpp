@@ -52,6 +52,14 @@ PlotOptions look_option(const Options& options) {
   return look;
 }
 
+char separator_option(const Options& options) {
+  const std::string separator = options.get<std::string>("separator").value_or(",");
+  if (separator.size() != 1)
+    throw std::invalid_argument(R"(separator: expected one character, as ";", got ")" + separator +
+                                "\"");
+  return separator[0];
+}
+
 std::string scene_name(lua_State* L) {
   const StackGuard guard(L);
   if (lua_getglobal(L, "arg") != LUA_TTABLE || lua_rawgeti(L, -1, -1) != LUA_TSTRING)

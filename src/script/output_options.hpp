@@ -32,6 +32,9 @@ struct Convert<Names> {
 /// The options title, width and height of a picture.
 PlotOptions look_option(const Options& options);
 
+/// The option separator, one character; a comma by default.
+char separator_option(const Options& options);
+
 /// The name of the script, from the table arg (which has the program before it), or "terminal".
 std::string scene_name(lua_State* L);
 

@@ -18,6 +18,9 @@ class AttitudeSpin : public SpinModel {
 
   /// Throws std::out_of_range outside the times of the attitudes.
   Vector value(double t) const override { return spline_.omega(t); }
+  /// Of the curve between two attitudes; at one of them, but for the first and the last, it has
+  /// none.
+  VectorJet jet(double t) const override;
   std::string description() const override;
   /// The times of the attitudes, where the second derivative of omega jumps.
   std::vector<double> breaks(double low, double high) const override;

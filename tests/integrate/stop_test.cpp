@@ -219,5 +219,10 @@ TEST_CASE("a method is refused what it does not take, by name") {
   check_refused(s, "\"exact\" needs an omega whose model is known");
   s = closed_form::by_rk4(1e-9, scene(kMotion.omega(), 0, 1));
   check_refused(s, "step = 1e-09 makes more than max_steps = 1000000 steps");
+  s = scene(kMotion.omega(), 0, 1);
+  s.max_step = 1e-300;
+  check_refused(s, "max_step = 1e-300 makes more than max_steps = 1000000 steps");
+  s.method = Method::kDop853;
+  check_refused(s, "max_step = 1e-300 makes more than max_steps = 1000000 steps");
   check_refused(scene(Vector(1e300, 0, 0), 0, 1e300), "too large to be an angle");
 }

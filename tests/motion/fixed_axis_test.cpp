@@ -101,6 +101,21 @@ TEST_CASE("the crossings about a fixed axis are the multiples of 2 pi between th
   CHECK_THROWS_WITH(forever.crossings(), Catch::Matchers::Contains("159000000"));  // 1e9 / 2 pi
 }
 
+TEST_CASE("a start beside the axis is never turned to the identity, however long the motion") {
+  const Rotation from(Vector(1, 0, 0.2), 1);
+  const Run run = evolve(scene(Vector(0, 0, 1), 0, 1e9), from);
+  CHECK(run.crossings().empty());
+  const double t = 1e9;
+  const Extended half = Extended{t} / 2;
+  const auto truth = Eigen::Quaternion<Extended>(std::cos(half), 0, 0, std::sin(half)) *
+                     from.quaternion().cast<Extended>();
+  const State state = run(t);
+  CHECK(state.angle >= 0);
+  CHECK(state.angle <= 2 * std::numbers::pi);
+  CHECK(std::abs(std::cos(state.angle) - static_cast<double>(2 * truth.w() * truth.w() - 1)) <
+        1e-14);
+}
+
 TEST_CASE("a function along a fixed direction swings through zero and keeps its axis") {
   // omega = cos t k from 0.5: theta = 0.5 + sin t, zero at 7 pi/6 and 11 pi/6 and so on.
   const AngularVelocity omega([](double t) { return Vector(0, 0, std::cos(t)); });

@@ -143,4 +143,6 @@ theorem("a jet is a value: its text, and no fields to lose derivatives by", func
   fails(function() return jet < "1" end, "a string", "expected a number or a jet, got string")
 end)
 
+fails(function() evolve{ omega = { 1, 2, 3 }, to = 1 }:derivatives(2) end, "outside",
+  "derivatives: t = 2.0 is outside the run, 0.0 .. 1.0")
 fails(function() evolve{ omega = { 1, 2, 3 }, to = 1 }:derivatives() end, "no time", "expected a number, got nothing")
