@@ -110,7 +110,8 @@ local kTypeGroups = { { "Fields", "field" }, { "Methods", "method" }, { "Operato
 local function about_type(name)
   local makers = names.select(function(row) return row.result == name and row.owner ~= name and row.kind ~= "field" end)
   for i, row in ipairs(makers) do makers[i] = names.full_name(row) end
-  local head = text.wrap("Type " .. name .. (makers[1] and ", made by " .. table.concat(makers, ", ") or ""), "", "    ")
+  local made = makers[1] and ", made by " .. table.concat(makers, ", ") or ""
+  local head = text.wrap("Type " .. name .. made, "", "    ")
   local function parts(list, between)
     local all = { head }
     for _, group in ipairs(kTypeGroups) do

@@ -23,15 +23,16 @@ namespace rotor {
 /// The motion so far, and what its errors may be and are.
 class FglMethod {
  public:
-  FglMethod(const Scene& scene, Sampler omega, std::shared_ptr<FglFlow> flow)
+  /// Unless the scene says how long a step may be, there are `fewest` of them at least.
+  FglMethod(const Scene& scene, Sampler omega, std::shared_ptr<FglFlow> flow, double fewest)
       : omega_(std::move(omega)),
         flow_(std::move(flow)),
         between_allowed_(0.1 * scene.accuracy),
         t0_(scene.t0),
         t1_(scene.t1),
         longest_(scene.max_step.value_or(
-            std::max({std::abs(scene.t1 - scene.t0) / 16 * (1 + kUneven), shortest_step(scene.t0),
-                      std::numeric_limits<double>::denorm_min()}))) {}
+            std::max({std::abs(scene.t1 - scene.t0) / fewest * (1 + kUneven),
+                      shortest_step(scene.t0), std::numeric_limits<double>::denorm_min()}))) {}
 
   double error_estimate() const { return error_ + between_ + rounding_.estimate(); }
   bool must_end(double t) const { return omega_.is_break(t); }

@@ -18,7 +18,7 @@ namespace rotor {
 class FglPanels : public FglMethod {
  public:
   FglPanels(const Scene& scene, Sampler omega, std::shared_ptr<FglFlow> flow)
-      : FglMethod(scene, std::move(omega), std::move(flow)),
+      : FglMethod(scene, std::move(omega), std::move(flow), 10),
         panel_budget_(0.45 * scene.accuracy, std::abs(t1_ - t0_)),
         step_budget_(0.45 * scene.accuracy, std::abs(t1_ - t0_)),
         lengths_(longest_) {}

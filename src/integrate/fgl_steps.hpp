@@ -21,7 +21,7 @@ namespace rotor {
 class FglSteps : public FglMethod {
  public:
   FglSteps(const Scene& scene, Sampler omega, std::shared_ptr<FglFlow> flow)
-      : FglMethod(scene, std::move(omega), std::move(flow)),
+      : FglMethod(scene, std::move(omega), std::move(flow), 16),
         accuracy_(scene.accuracy),
         budget_(0.9 * scene.accuracy, std::abs(t1_ - t0_)) {}
 

@@ -39,8 +39,9 @@ struct Scene {
   Method method = Method::kAuto;
   /// The step of a fixed-step method; it is shortened so that a whole number of at least two fits.
   std::optional<double> step = std::nullopt;
-  /// The longest step; a part of the interval unless it is given, a 32nd for "dop853" and a 16th
-  /// for "fgl". What omega does between its samples, some fifteen or thirty a step, is not seen.
+  /// The longest step; a part of the interval unless it is given, a 32nd for "dop853", a 16th
+  /// for "fgl", a tenth where omega is dear to call. What omega does between its samples, some
+  /// fifteen to 64 a step, is not seen.
   std::optional<double> max_step = std::nullopt;
   std::size_t max_steps = 1'000'000;
   /// Times at which omega or a derivative of it jumps, in any order: steps end there. Those that
