@@ -28,6 +28,8 @@ void require(bool holds, const std::string& message) {
 void check(const Scene& scene) {
   require(std::isfinite(scene.t0) && std::isfinite(scene.t1),
           "t must be finite, got " + text(scene.t0) + " .. " + text(scene.t1));
+  require(std::isfinite(scene.t1 - scene.t0),
+          "t is too long: " + text(scene.t1) + " less " + text(scene.t0) + " is no double");
   require(scene.accuracy > 0 && std::isfinite(scene.accuracy),
           "accuracy must be positive, got " + text(scene.accuracy));
   require(!scene.max_step || *scene.max_step > 0,

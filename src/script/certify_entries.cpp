@@ -30,9 +30,9 @@ double rounding(const Certificate& c) { return c.rounding; }
 bool at_rounding(const Certificate& c) { return c.at_rounding; }
 std::size_t omega_calls(const Certificate& c) { return c.omega_calls; }
 std::string text_of_certificate(const Certificate& c) {
-  const std::string found =
-      c.at_rounding ? "at rounding, some " + text(c.rounding, 2) : "error " + text(c.estimate, 5);
-  return "certificate  " + found + " rad, at most " + text(c.bound, 2) + " rad  " +
+  const std::string found = c.at_rounding ? "no error above rounding, " + text(c.rounding, 2)
+                                          : "error " + text(c.estimate, 5);
+  return "certificate  " + found + " rad  bound " + text(c.bound, 2) + " rad\n             " +
          std::to_string(c.omega_calls) + " omega calls";
 }
 

@@ -204,6 +204,7 @@ TEST_CASE("a request that cannot be is refused, and shown") {
   Scene s = good;
   s.max_steps = 0;
   check_refused(s, "max_steps must be positive, got 0");
+  check_refused(scene(kMotion.omega(), -1e308, 1e308), "t is too long: 1e+308 less -1e+308");
 }
 
 TEST_CASE("a method is refused what it does not take, by name") {
