@@ -103,7 +103,11 @@ class Dop853 {
       return false;
     }
 
-    if (error.doubt == 0) steepest_ = std::max(steepest_, norm(omega[11] - omega[0]) / std::abs(h));
+    // Short steps look for a jump, whose chord says nothing.
+    longest_ = std::max(longest_, std::abs(h));
+    if (error.doubt == 0 && std::abs(h) > longest_ / 16) {
+      steepest_ = std::max(steepest_, norm(omega[11] - omega[0]) / std::abs(h));
+    }
     budget_.spend(judged);
     record(error, rounding);
     if (error.lost_in_rounding) sum.add(equation_.turning(sum.value(), -error.at_end()));
@@ -286,7 +290,8 @@ class Dop853 {
   double max_step_;
   double h_ = 0;
   double reach_ = 0;
-  double steepest_ = 0;  // |omega'|, by the chords of steps without a jump
+  double steepest_ = 0;  // |omega'|, by the chords of long steps without a jump
+  double longest_ = 0;   // step accepted
   double turn_ = 0;      // the most that the last step tried can have turned about any axis
   bool after_rejection_ = false;
   bool exhausted_ = false;

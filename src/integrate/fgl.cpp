@@ -12,10 +12,12 @@ namespace rotor {
 namespace {
 
 template <class Method>
-void follow(Method method, const Scene& scene, const Observer& observer, Propagator& result) {
+void follow(Method method, const Scene& scene, const Observer& observer, FglFlow& flow,
+            Propagator& result) {
   result.stop = integrate(method, scene.t0, scene.t1, scene.max_steps, observer, result.cost);
   result.t1 = result.stop ? result.stop->t : scene.t1;
   result.error_estimate = method.error_estimate();
+  flow.resolve_to(result.error_estimate / 32);
 }
 
 }  // namespace
@@ -27,9 +29,9 @@ void follow_by_fgl(const Scene& scene, const std::vector<double>& breaks, const 
   result.flow = flow;
   Sampler omega(scene.omega, result.cost, breaks);
   if (omega.dear()) {
-    follow(FglPanels(scene, omega, flow), scene, observer, result);
+    follow(FglPanels(scene, omega, flow), scene, observer, *flow, result);
   } else {
-    follow(FglSteps(scene, omega, flow), scene, observer, result);
+    follow(FglSteps(scene, omega, flow), scene, observer, *flow, result);
   }
 }
 

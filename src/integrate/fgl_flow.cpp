@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,6 +27,31 @@ Quaternion exp_half(const ExtendedVector& v) {
 using Quaternion4 = std::array<double, 4>;
 Quaternion4 components(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 Quaternion quaternion(const Quaternion4& q) { return {q[0], q[1], q[2], q[3]}; }
+
+// Half a step in 64 parts turns by a tenth of a radian at most: if that does not resolve it, it is
+// w that is rough there.
+constexpr std::size_t kMostParts = 64;
+constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+
+// U becomes (1 + s turn) U, where s goes from 0 to 1 over all pieces. On each it is a + b z, and
+// z T_n = (T_(n-1) + T_(n+1))/2; the term beyond the last is lost.
+void spread(const Quaternion& turn, std::vector<FglPiece>& pieces) {
+  const double b = 0.5 / static_cast<double>(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    auto& terms = pieces[i].terms;
+    const double a = static_cast<double>(2 * i + 1) * b;
+    std::array<Eigen::Vector4d, kFglNodes + 3> turned;
+    turned.back().setZero();
+    for (std::size_t n = 0; n < terms.size(); ++n) {
+      turned[n] = (turn * Quaternion(Eigen::Vector4d(terms[n].data()))).coeffs();
+    }
+    for (std::size_t n = 0; n < terms.size(); ++n) {
+      Eigen::Map<Eigen::Vector4d> term(terms[n].data());
+      term += a * turned[n] + b / 2 * turned[n + 1];
+      if (n > 0) term += (n == 1 ? b : b / 2) * turned[n - 1];
+    }
+  }
+}
 
 }  // namespace
 
@@ -79,85 +105,122 @@ FglInterior FglFlow::interior(const Span& span, double middle, double half) cons
   return result;
 }
 
-// The next half of the step. The two together are more accurate than the step, but it is the
-// step's U that the run goes on with: what they differ by is spread over the second, so that U is
-// continuous and the generator knows of it.
+// Each polynomial through the values of the method alone.
+Quaternion FglFlow::fill(const Span& span, std::size_t half, std::size_t parts, Quaternion u,
+                         std::vector<FglPiece>& pieces) const {
+  pieces.resize(parts);
+  const auto all = static_cast<double>(2 * span.steps * parts);
+  for (std::size_t i = 0; i < parts; ++i) {
+    const auto place = static_cast<double>(2 * (half * parts + i) + 1);
+    const FglInterior motion = interior(span, place / all - 1, 1 / all);
+    fgl_kernel().fit(motion, components(u), {0, 0, 0, 0}, pieces[i]);
+    u = quaternion(motion.end) * u;
+  }
+  return u;
+}
+
+// What a polynomial leaves out, if its terms go on falling as they last did.
+bool FglFlow::is_resolved(const std::vector<FglPiece>& pieces) const {
+  return std::all_of(pieces.begin(), pieces.end(), [this](const FglPiece& piece) {
+    const auto size = [&](std::size_t n) {
+      return Eigen::Map<const Eigen::Vector4d>(piece.terms[n].data()).norm();
+    };
+    const double before = std::max(size(14), size(15));
+    const double last = std::max(size(16), size(17));
+    return last * std::min(1.0, last / before) <= std::max(allowed_, kRounding) || before == 0;
+  });
+}
+
+// The next half of the step, in as few parts as resolve it. The two together are more accurate than
+// the step, but it is the step's U that the run goes on with: what they differ by is spread over
+// the second, so that U is continuous and the generator knows of it.
 void FglFlow::fill_next() const {
   const Span& span = spans_[step_->span];
-  const double quarter = 0.5 / static_cast<double>(span.steps);
-  const auto place = static_cast<double>(4 * step_->number + 2 * step_->known + 1);
-  const FglInterior motion = interior(span, place * quarter - 1, quarter);
+  const std::size_t half = 2 * step_->number + step_->known;
   const std::size_t first = span.first + step_->number;
   const Quaternion& from = step_->known == 0 ? values_[first] : step_->middle;
-  const Quaternion end = quaternion(motion.end) * from;
-  Quaternion turn(0, 0, 0, 0);
+  std::vector<FglPiece>& pieces = step_->halves[step_->known];
+  Quaternion end = fill(span, half, 1, from, pieces);
+  for (std::size_t parts = 2; parts <= kMostParts && !is_resolved(pieces); parts *= 2) {
+    end = fill(span, half, parts, from, pieces);
+  }
   if (step_->known == 0) {
     step_->middle = end;
   } else {
     const Quaternion miss(Eigen::Vector4d(values_[first + 1].coeffs() - end.coeffs()));
-    turn = miss * end.conjugate();
+    spread(miss * end.conjugate(), pieces);
   }
-  fgl_kernel().fit(motion, components(from), components(turn), step_->halves[step_->known]);
   ++step_->known;
 }
 
-// Whether t is, beyond rounding, in the half that was asked for last: which one it is in must not
-// depend on that.
-bool FglFlow::is_in_half(double t) const {
-  return half_.piece != nullptr && std::abs(half_.z(t)) < 1 - 1e-9;
+std::size_t FglFlow::Part::number(double t, std::size_t among) const {
+  const auto most = static_cast<double>(among) - 1;
+  return static_cast<std::size_t>(std::clamp(std::floor(z(t) / 2), 0.0, most));
 }
 
-// Finds the half that t is in; false where that is no step, but a turn about one direction.
-bool FglFlow::find_half(double t) const {
+// Whether t is, beyond rounding, in the part that was asked for last: which one it is in must not
+// depend on that.
+bool FglFlow::is_in_part(double t) const {
+  return part_.piece != nullptr && std::abs(part_.z(t)) < 1 - 1e-9;
+}
+
+// Finds the part that t is in; false where that is no step, but a turn about one direction.
+bool FglFlow::find_part(double t) const {
   const std::size_t index = span_at(t);
   const Span& span = spans_[index];
   if (span.steps == 0) return false;
-  half_.piece = nullptr;
-  const auto steps = static_cast<double>(span.steps);
-  const Half around{nullptr, span.begin, span.end, 2 * steps, 2 * steps};
-  const double half = std::clamp(std::floor(around.z(t) / 2), 0.0, 2 * steps - 1);
-  const auto number = static_cast<std::size_t>(half) / 2;
-  const auto which = static_cast<std::size_t>(half) % 2;
-  if (!step_ || step_->span != index || step_->number != number) {
+  part_.piece = nullptr;
+  // Place 0 is where the span begins, and a part is 2 long.
+  const auto around = [&](std::size_t parts) {
+    const auto all = static_cast<double>(parts);
+    return Part{nullptr, span.begin, span.end, all, all};
+  };
+  const std::size_t halves = 2 * span.steps;
+  const std::size_t half = around(halves).number(t, halves);
+  if (!step_ || step_->span != index || step_->number != half / 2) {
     step_.emplace();
     step_->span = index;
-    step_->number = number;
+    step_->number = half / 2;
   }
-  while (step_->known <= which) fill_next();
-  half_ = around;
-  half_.piece = &step_->halves[which];
-  half_.shift -= 2 * half + 1;
+  while (step_->known <= half % 2) fill_next();
+  const std::vector<FglPiece>& pieces = step_->halves[half % 2];
+  part_ = around(halves * pieces.size());
+  const std::size_t first = half * pieces.size();
+  const std::size_t number =
+      std::clamp(part_.number(t, halves * pieces.size()), first, first + pieces.size() - 1);
+  part_.piece = &pieces[number - first];
+  part_.shift -= 2 * static_cast<double>(number) + 1;
   return true;
 }
 
 Quaternion FglFlow::at(double t) const {
   if (t == t0_) return Quaternion::Identity();
-  if (!is_in_half(t) && !find_half(t)) {
+  if (!is_in_part(t) && !find_part(t)) {
     const Span& span = spans_[span_at(t)];
     const Panel& panel = panels_[span.panel];
     return (exp_half(panel.integral(panel.place(t))) * values_[span.first]).normalized();
   }
   Quaternion u;
-  fgl_kernel().value(*half_.piece, half_.z(t), u.coeffs().data());
+  fgl_kernel().value(*part_.piece, part_.z(t), u.coeffs().data());
   return u;
 }
 
 // Clenshaw's recurrence for T_(n+1) = 2 z T_n - T_(n-1), and its derivative by z.
 Vector FglFlow::generator(double t) const {
   if (spans_.empty()) return sign_ * omega_(t);
-  if (!is_in_half(t) && !find_half(t)) {
+  if (!is_in_part(t) && !find_part(t)) {
     const Panel& panel = panels_[spans_[span_at(t)].panel];
     return panel.at(static_cast<double>(panel.place(t)));
   }
-  const double z = half_.z(t);
+  const double z = part_.z(t);
   const auto term = [&](std::size_t n) {
-    return Eigen::Map<const Eigen::Vector4d>(half_.piece->terms[n].data());
+    return Eigen::Map<const Eigen::Vector4d>(part_.piece->terms[n].data());
   };
   Eigen::Vector4d b1 = Eigen::Vector4d::Zero();
   Eigen::Vector4d b2 = b1;
   Eigen::Vector4d d1 = b1;
   Eigen::Vector4d d2 = b1;
-  for (std::size_t n = half_.piece->terms.size(); n-- > 1;) {
+  for (std::size_t n = part_.piece->terms.size(); n-- > 1;) {
     const Eigen::Vector4d d = 2 * b1 + 2 * z * d1 - d2;
     const Eigen::Vector4d b = term(n) + 2 * z * b1 - b2;
     b2 = b1;
@@ -167,7 +230,7 @@ Vector FglFlow::generator(double t) const {
   }
   const Eigen::Vector4d u = term(0) + z * b1 - b2;
   const Eigen::Vector4d u_rate = b1 + z * d1 - d2;
-  const double rate = 2 * half_.halves / (half_.end - half_.begin);  // dz/dt
+  const double rate = 2 * part_.parts / (part_.end - part_.begin);  // dz/dt
   return 2 * rate / u.squaredNorm() * (Quaternion(u_rate) * Quaternion(u).conjugate()).vec();
 }
 

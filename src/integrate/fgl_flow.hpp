@@ -14,9 +14,10 @@
 
 namespace rotor {
 
-/// U(t), piecewise: on half a step a polynomial of degree 17 through 18 values of the method. It is
-/// worked out when a time within it is asked for, and kept until one in another step is. (Hence
-/// `at` and `generator` must not be called from two threads at once.)
+/// U(t), piecewise: on half a step, or where that does not resolve it on a part of a half, a
+/// polynomial of degree 17 through 18 values of the method. It is worked out when a time within it
+/// is asked for, and kept until one in another step is. (Hence `at` and `generator` must not be
+/// called from two threads at once.)
 class FglFlow final : public Flow {
  public:
   FglFlow(const AngularVelocity& omega, double t0);
@@ -28,6 +29,9 @@ class FglFlow final : public Flow {
   void append(const Panel& panel, const std::vector<Quaternion>& u, double turn);
   /// Appends a panel on which U turns about one direction.
   void append_turn(const Panel& panel, double turn);
+
+  /// Between the ends of steps U is to be right to that, rad; before any time is asked for.
+  void resolve_to(double rotation_error) { allowed_ = rotation_error / 2; }
 
   const Quaternion& last() const { return values_.back(); }
   double t1() const { return spans_.empty() ? t0_ : spans_.back().end; }
@@ -49,24 +53,30 @@ class FglFlow final : public Flow {
   struct Step {
     std::size_t span;
     std::size_t number;
-    std::array<FglPiece, 2> halves;
-    std::size_t known;  // the halves that are: none, the first, both
-    Quaternion middle;  // U there, where the first is
+    std::array<std::vector<FglPiece>, 2> halves;  // in equal parts
+    std::size_t known;                            // the halves that are: none, the first, both
+    Quaternion middle;                            // U there, where the first is
   };
-  // A half of the kept step that was asked for last, and how t lies in it.
-  struct Half {
+  // The piece of the kept step that was asked for last, and how t lies in it.
+  struct Part {
     const FglPiece* piece = nullptr;
     double begin = 0;  // of the span
     double end = 0;
-    double halves = 0;  // as many are in the span,
-    double shift = 0;   // and this one's place is -shift, from 1 - halves to halves - 1
-    double z(double t) const { return ((t - begin) - (end - t)) / (end - begin) * halves + shift; }
+    double parts = 0;  // as long as this one, are in the span,
+    double shift = 0;  // and this one's place is -shift, from 1 - parts to parts - 1
+    double z(double t) const { return ((t - begin) - (end - t)) / (end - begin) * parts + shift; }
+    // The one of `among`, of so many parts, that t is in.
+    std::size_t number(double t, std::size_t among) const;
   };
 
   std::size_t span_at(double t) const;
-  bool is_in_half(double t) const;
-  bool find_half(double t) const;
+  bool is_in_part(double t) const;
+  bool find_part(double t) const;
   void fill_next() const;
+  // The pieces of a half in so many parts, from U at its begin; U at its end.
+  Quaternion fill(const Span& span, std::size_t half, std::size_t parts, Quaternion u,
+                  std::vector<FglPiece>& pieces) const;
+  bool is_resolved(const std::vector<FglPiece>& pieces) const;
   FglInterior interior(const Span& span, double middle, double half) const;
 
   AngularVelocity omega_;
@@ -75,8 +85,9 @@ class FglFlow final : public Flow {
   std::vector<Span> spans_;
   std::vector<Panel> panels_;
   std::vector<Quaternion> values_;
+  double allowed_ = 0;  // of quaternions, between the ends of steps
   mutable std::optional<Step> step_;
-  mutable Half half_;
+  mutable Part part_;
 };
 
 }  // namespace rotor

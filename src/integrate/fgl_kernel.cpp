@@ -151,7 +151,8 @@ class ErrorSum {
     const double next = size * root;
     const double safety = 2 + (levels_ == 0 ? kRough : 2) * root;
     at_end_ += safety * (size * fall * root * root * root + next * (next + before_) / 32);
-    // Half as long: by r^2 less where terms fall fast, but no less where they fall slowly.
+    // Half as long: by r^2 less where terms fall fast, but no less where they fall slowly. (Where
+    // it does not resolve U, the dense output takes shorter parts.)
     between_ += safety * next * std::min(1.0, fall + 44 * fall * fall) / 32;
     before_ = next;
     if (levels_++ == 0) {
