@@ -55,8 +55,9 @@ return {
       .. "accuracies and steps too), to each of the accuracies, rk4 with each of the steps, and compares at 100 times "
       .. "with `reference`, a run or a function of t, else with the exact model, else with a tighter run of another "
       .. "method; where that is not ten times better, the run is certified (run:certify). A table: .rows[i] has "
-      .. ".method, .asked or .step, .achieved and .estimate (rad), .certified, .omega_calls, .steps, .seconds (the "
-      .. "median of five, if short), or .stopped; .reference says with what was compared. "
+      .. ".method, .asked or .step, .achieved and .estimate (rad), .by (\"reference\", \"certificate\", or "
+      .. "\"bound\": at rounding), .omega_calls, .steps, .seconds (the median of five, if short), or .stopped; "
+      .. ".reference says with what was compared. "
       .. ":plot{over = \"seconds\"} draws the errors over omega_calls, seconds or steps, "
       .. ":csv(file) writes the rows.",
     example = '#tradeoff{omega = {0, 0, 1}, to = 1, methods = {"dop853"}, accuracies = {1e-4, 1e-8}}.rows --> 2' },

@@ -173,7 +173,7 @@ local function best_references(options)
     end
     if exact then break end
   end
-  if #found == 0 then error(stopped, 0) end
+  if #found == 0 then refuse("no reference: %s", tostring(stopped):match "evolve: (.*)" or tostring(stopped)) end
   return found
 end
 
@@ -199,19 +199,23 @@ local function text_of(references)
   return table.concat(texts, "; ") .. (#texts > 1 and "; for each row the one of another method" or "")
 end
 
--- The error of a run, by the reference, which is of another method unless it was given or exact. Where that is not ten
--- times better than the run it may be off by as much as both, and the run's own certificate may tell more.
+-- The error of a run, and by what it is known: by the reference, which is of another method unless it was given or
+-- exact; where that is not ten times better than the run, by the run's own certificate; or only a bound of it, where
+-- the certificate finds nothing above rounding either.
 local function achieved(run, references)
   local most = math.huge
   for _, reference in ipairs(references) do
     if reference.method ~= run.method then
       local apart = distance_from(reference, run)
-      if apart >= 10*reference.error then return apart, false end
+      if apart >= 10*reference.error then return apart, "reference" end
       most = apart + reference.error
     end
   end
-  local certified = run:certify().estimate
-  return math.min(most, certified), certified < most
+  local certificate = run:certify()
+  if certificate.at_rounding or most < certificate.estimate then
+    return math.min(most, certificate.estimate), "bound"
+  end
+  return certificate.estimate, "certificate"
 end
 
 -- The value ----------------------------------------------------------------------------------------------------------
@@ -221,10 +225,12 @@ local meta = { __name = "tradeoff", __index = methods }
 
 local kHeader = { "asked", "achieved", "estimate", "omega calls", "steps", "seconds" }
 
+local kSign = { reference = "%.1e ", certificate = "%.1e*", bound = "<%.1e " }
+
 local function cells(row)
   local asked = row.asked and ("%.0e"):format(row.asked) or row.step and "step " .. text.number(row.step) or "-"
   if row.stopped then return { asked, row.stopped } end
-  return { asked, ("%.1e"):format(row.achieved) .. (row.certified and "*" or " "), ("%.1e"):format(row.estimate),
+  return { asked, kSign[row.by]:format(row.achieved), ("%.1e"):format(row.estimate),
     tostring(row.omega_calls), tostring(row.steps), ("%.2g"):format(row.seconds) }
 end
 
@@ -251,12 +257,13 @@ function meta.__tostring(self)
     text.wrap(self.reference, "  reference  ", "             "),
     line("method", kHeader),
   }
-  local certified = false
+  local by = {}
   for k, row in ipairs(self.rows) do
     lines[#lines + 1] = line(row.method, rows[k], row.stopped)
-    certified = certified or row.certified
+    by[row.by or ""] = true
   end
-  if certified then lines[#lines + 1] = "* by the certificate of the run: the reference is not ten times better" end
+  if by.certificate then lines[#lines + 1] = "* by the run's own certificate: the reference is not ten times better" end
+  if by.bound then lines[#lines + 1] = "< nothing found above rounding" end
   return table.concat(lines, "\n")
 end
 
@@ -289,11 +296,13 @@ end
 
 --- Writes the rows.
 function methods:csv(file)
-  local columns = { "method", "asked", "step", "achieved", "estimate", "omega_calls", "steps", "seconds" }
+  local columns = { "method", "asked", "step", "achieved", "by", "estimate", "omega_calls", "steps", "seconds",
+    "stopped" }
   local data = {}
   for _, name in ipairs(columns) do
     data[name] = {}
-    for i, row in ipairs(self.rows) do data[name][i] = row[name] or 0/0 end
+    local none = (name == "by" or name == "stopped") and "" or 0/0
+    for i, row in ipairs(self.rows) do data[name][i] = row[name] or none end
   end
   write_csv(file, data, { columns = columns })
 end
@@ -308,7 +317,7 @@ local function measured(options)
     local row = { method = one.label, asked = one.options.accuracy, step = one.options.step }
     local run, seconds = timed(one.options)
     if run then
-      row.achieved, row.certified = achieved(run, references)
+      row.achieved, row.by = achieved(run, references)
       row.estimate = run.error_estimate
       row.omega_calls, row.steps, row.seconds = run.cost.omega_calls, run.cost.steps, seconds
     else

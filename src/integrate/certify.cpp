@@ -18,7 +18,7 @@ namespace rotor {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr int kDeepest = 6;         // halvings of an interval: what omega may do within it
+constexpr int kDeepest = 12;        // halvings of an interval: what omega may do within it
 constexpr double kResolved = 1e-4;  // of the integral of the norm: what its points may miss
 // What the generator of a dense output, the derivative of a polynomial of degree 22 whose terms are
 // rounded, makes of that rounding: 22^2 of it. It is noise, of which the integral keeps none.
@@ -155,9 +155,22 @@ class Measurement {
       last = generator;
     }
     seen.rounded = RoundingError::of_step(b, b - a, first, last);
-    seen.missed = unresolved();
+    const Eigen::MatrixX3d terms = rule_.coefficients * defect_;
+    // A jump between an end and the node next to it shows at that end alone.
+    const double at_ends = off_at(std::nextafter(a, b), half, -1, terms) +
+                           off_at(std::nextafter(b, a), half, 1, terms);
+    seen.missed = std::max(unresolved(terms), (1 + rule_.nodes(0)) * at_ends);
     seen.partial = rule_.integrals * defect_;
     return seen;
+  }
+
+  // By how much the defect at an end z = -1 or 1 is not what its Legendre series makes it there.
+  double off_at(double t, double half, double z, const Eigen::MatrixX3d& terms) {
+    Vector off = flow_.at(t).conjugate() * (half * (flow_.generator(t) - generator_(t)));
+    for (Eigen::Index k = 0; k < terms.rows(); ++k) {
+      off -= (k % 2 == 0 ? 1 : z) * terms.row(k).transpose();
+    }
+    return norm(off);
   }
 
   // Halves the interval until its points resolve it.
@@ -174,10 +187,11 @@ class Measurement {
     const Look second = look(seen.middle(), seen.b);
     // Noise, small beside omega, falls as the interval in both halves, a jump in one of them, what
     // is smooth faster.
-    if (depth > 0 && seen.missed < 1e-4 * std::abs(seen.b - seen.a) * seen.rate &&
+    if (depth > 1 && seen.missed < 1e-4 * std::abs(seen.b - seen.a) * seen.rate &&
         std::min(first.missed, second.missed) > seen.missed / 4) {
       take(first, noise_of(first));
       take(second, noise_of(second));
+      bound_ += first.missed + second.missed;
     } else {
       settle(first, depth + 1);
       settle(second, depth + 1);
@@ -214,8 +228,7 @@ class Measurement {
   // What n points do not see has degree 2n or more. The size of the last third of the coefficients
   // is carried on to there, by the factor at which it has fallen from the third before. (Twice
   // both: they are not known so well.)
-  double unresolved() const {
-    const Eigen::MatrixX3d c = rule_.coefficients * defect_;
+  static double unresolved(const Eigen::MatrixX3d& c) {
     const Eigen::Index third = c.rows() / 3;
     const double last = c.bottomRows(third).norm();
     const double before = c.middleRows(c.rows() - 2 * third, third).norm();

@@ -13,7 +13,7 @@ namespace rotor {
 /// How an error is measured.
 struct CertifyOptions {
   /// Gauss points in every interval of the mesh, 3 to 64; where they do not resolve the defect, the
-  /// interval is halved, up to six times.
+  /// interval is halved, up to twelve times.
   std::size_t n = 20;
   /// Bounds, in rad per unit of t, on what |omega| itself may be wrong by.
   double noise = 0;

@@ -183,6 +183,7 @@ double GeneralizedAngle::inverse(double value) const {
 
 Vector GeneralizedEquation::start(const Rotation& r) const {
   const double theta = std::abs(r.angle());
+  if (restart_ && theta >= f_->end() && theta > kPi) return start(r.canonical());
   const double f = (*f_)(theta).f;
   refuse_start(singularity(Vector(std::isfinite(f) ? f : kInfinity, 0, 0)), r,
                std::min(distance_from_full_turns(theta), f_->end() - theta));
@@ -257,7 +258,10 @@ double GeneralizedEquation::stretch(const Value& y) const {
   return y.isZero(0) ? 0 : norm(y) / (*f_)(angle(y)).slope;
 }
 
-bool GeneralizedEquation::is_due(const Value& y) const { return restart_ && angle(y) > 1.5 * kPi; }
+// Halfway to the end of the domain where that is nearer: what it restarts from is below pi.
+bool GeneralizedEquation::is_due(const Value& y) const {
+  return restart_ && f_->end() > kPi && angle(y) > std::min(1.5 * kPi, (kPi + f_->end()) / 2);
+}
 
 Vector GeneralizedEquation::restarted(const Value& y) const {
   if (y.isZero(0)) return y;

@@ -1,9 +1,11 @@
 // A periodic omega: one period, and powers of its end (Floquet).
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "integrate/exact.hpp"
@@ -81,7 +83,7 @@ std::vector<double> periodic_mesh(const Calendar& calendar, const std::vector<Fo
   for (const FollowedLeg& leg : legs) size += parts.emplace_back(leg.flow->mesh()).size();
   const Extended periods = calendar.place(t1).periods;
   if ((periods + 1) * static_cast<Extended>(size) > 1e7L) {
-    throw std::length_error(text(static_cast<double>(periods), 3) +
+    throw std::length_error(std::to_string(static_cast<std::uint64_t>(periods)) +
                             " periods of omega are too many to be looked through");
   }
   std::vector<double> mesh{t0};

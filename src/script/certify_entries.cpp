@@ -42,9 +42,11 @@ constexpr Entry kMethods[] = {
     {"certify", bound<certify_entry>, kCertify,
      "The run's error, measured on the run itself, whatever the method and without a reference: "
      "the angular velocity that the motion really has, less omega, at n Gauss points (3 to 64, "
-     "default 20) in every interval of the run, which is halved where they are too few. It calls "
+     "default 20) and the ends of every interval of the run, which is halved where they are too "
+     "few. It calls "
      "omega. noise, bias: bounds in rad per unit of t on what omega may be wrong by; times the "
-     "length of the run they are added to .bound. What omega does between all points is not seen.",
+     "length of the run they are added to .bound. What omega does between all points is not seen; "
+     "a motion of more than ten million rad is refused.",
      ROTOR_CERTIFICATE ".at_rounding --> true"},
 };
 
@@ -66,7 +68,7 @@ constexpr Entry kFields[] = {
     {"at_rounding", bound<at_rounding>, "certificate.at_rounding -> boolean",
      "Whether no error was found above .rounding.", ROTOR_CERTIFICATE ".at_rounding --> true"},
     {"omega_calls", bound<omega_calls>, "certificate.omega_calls -> number",
-     "Calls of omega that it took.", ROTOR_CERTIFICATE ".omega_calls --> 40"},
+     "Calls of omega that it took.", ROTOR_CERTIFICATE ".omega_calls --> 44"},
 };
 
 constexpr Entry kOperators[] = {

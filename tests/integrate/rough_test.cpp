@@ -102,6 +102,24 @@ TEST_CASE("omega that is nearly constant, constant or zero is cheap as a functio
   CHECK(greatest_error(run, along_x(1)) <= 1e-10 + 2e-12 * 100);
 }
 
+TEST_CASE("after a jump the next ones are no noise") {
+  std::mt19937 generator(4);
+  for (int trial = 0; trial < 20; ++trial) {
+    Piecewise motion{{}, {random_vector(generator)}};
+    for (int i = 1; i <= 12; ++i) {
+      motion.t.push_back(0.7 * i);
+      motion.value.push_back(random_vector(generator));
+    }
+    for (const double accuracy : {1e-9, 1e-11, 1e-12}) {
+      CAPTURE(trial, accuracy);
+      const Propagator run = propagate(by_dop853(accuracy, scene(motion.omega(), 0, 9)));
+      REQUIRE(!run.stop);
+      // The estimate is good to a fifth.
+      CHECK(greatest_error(run, motion) <= std::max(accuracy, run.error_estimate / 0.8));
+    }
+  }
+}
+
 TEST_CASE("the same motion fast or slow: |omega| from 1e-300 to 1e300") {
   // The error estimate need not differ by more than the rounding of s t.
   const double a = 2 * std::numbers::pi / 40;

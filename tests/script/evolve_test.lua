@@ -70,6 +70,12 @@ holds(off(through, 30) <= 2*through.error_estimate, "restarted by rk4")
 local by_tangent = evolve{ omega = { 0, 0, 1 }, to = 20, equation = "generalized", restart = true,
   f = function(x) return 4*tan(x/4) end }
 holds(by_tangent(20).rotation:distance(rotation({ 0, 0, 1 }, 20)) <= 1e-10, "[P4] restarted")
+-- Also where the domain of f ends before 3 pi/2, 1.25 pi here, and from a start beyond it.
+for _, start in ipairs{ 0, 4 } do
+  local early = evolve{ omega = { 0, 0, 1 }, to = 20, equation = "generalized", restart = true,
+    from = rotation({ 0, 0, 1 }, start), f = function(theta) return tan(theta/2.5) end }
+  holds(early(20).rotation:distance(rotation({ 0, 0, 1 }, 20 + start)) <= 1e-10, "restarted early, from " .. start)
+end
 
 -- Breaks: steps end there. omega jumps at 1 and at 2: unknown, that costs calls; known, none.
 local function jumping(t)

@@ -40,13 +40,15 @@ for i = 1, 2 do
 end
 contains(own.reference, "fgl, certified to ")
 contains(own.reference, "dop853, certified to ")
-equal(own.rows[3].certified, false)
+equal(own.rows[3].by, "reference")
 
 -- At the level of rounding, or by the method of a reference, a run is certified: it is not held against itself.
 local finest = tradeoff { omega = omega, to = 100, methods = { "fgl", "dop853" }, accuracies = { 1e-12 } }
 for _, row in ipairs(finest.rows) do within(row.achieved, 1e-16, 1e-12, row.method) end
-equal(finest.rows[1].certified, true)
-contains(tostring(finest), "* by the certificate of the run")
+equal(finest.rows[1].by, "bound")
+contains(tostring(finest), "< nothing found above rounding")
+local middle = tradeoff { omega = omega, to = 100, methods = { "dop853" }, accuracies = { 1e-4 } }
+equal(middle.rows[1].by, "reference")
 
 -- The exact model, where there is one; a run as the reference; options of a method; backward.
 local exact = tradeoff { omega = spin.turning { vector = { 1, 0, 0 }, about = { 0, 0, 1 }, rate = a }, t = { 5, -20 },
@@ -55,7 +57,7 @@ contains(exact.reference, "exact: ")
 equal(exact.t0, 5.0)
 equal(exact.t1, -20.0)
 within(exact.rows[1].achieved, 1e-16, 1e-13, "the exact motion is certified")
-equal(exact.rows[1].certified, true)
+equal(exact.rows[1].by, "bound")
 equal(exact.rows[2].method, "classical")
 within(exact.rows[2].achieved, 1e-7, 1e-5, "RK4, h = 0.1, a quarter of the way")
 local given = tradeoff { omega = { 0, 0, 1 }, to = 3, methods = { "dop853" }, accuracies = { 1e-6 },
@@ -90,6 +92,7 @@ support.printed(own.csv, own, file)
 local data = read_csv(file)
 equal(#data.method, 3)
 equal(data.achieved[3], own.rows[3].achieved)
+equal(data.by[3], "reference")
 equal(data.asked[3] ~= data.asked[3], true, "rk4 was not asked for an accuracy")
 os.remove(file)
 
@@ -119,6 +122,8 @@ refused(function() tradeoff { omega = omega, to = 1, accuracies = {} } end, "acc
 refused(function() tradeoff { omega = omega } end, "tradeoff: give to = t1 or t = {t0, t1}")
 refused(function() tradeoff { omega = omega, reference = truth } end, "tradeoff: give to = t1 or t = {t0, t1}")
 refused(function() tradeoff { to = 1 } end, "tradeoff: omega is missing")
+refused(function() tradeoff { omega = function(t) return 1, 0, sqrt(0.5 - t) end, to = 1 } end,
+  "tradeoff: no reference: stopped at t = 0.4999")
 refused(function() tradeoff { omega = omega, to = 1, reference = 3 } end, "reference: expected a run, or a function")
 refused(function() tradeoff { omega = omega, to = 1, reference = function() return 3 end } end,
   "reference: expected a rotation or a quaternion at t = 0.01, got number")
