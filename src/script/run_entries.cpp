@@ -243,7 +243,7 @@ constexpr Entry kFields[] = {
      ROTOR_RUN ".complete --> true"},
     {"error_estimate", bound<error_estimate>, "run.error_estimate -> number",
      "Estimate of the rotation error anywhere in the run, rad: of the integration, with its "
-     "rounding.",
+     "rounding. That of rk4 knows omega at its nodes only; run:certify sees what lies between.",
      ROTOR_RUN ".error_estimate < 1e-14 --> true"},
     {"cost", bound<cost>, "run.cost -> cost",
      "What the integration took: .omega_calls .steps .rejected .seconds.",
