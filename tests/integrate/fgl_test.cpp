@@ -200,7 +200,7 @@ TEST_CASE(
   // on its half resolve it.
   for (const bool dear : {false, true}) {
     for (const auto& [size, rate] : {std::pair{3.0, 3.0}, std::pair{6.0, 9.5}, {20.0, 6.0}}) {
-      const Function swing = [size, rate](double t) {
+      const Function swing = [size = size, rate = rate](double t) {
         return Vector(1e-6, 0, size * std::cos(rate * t));
       };
       Scene finest = scene(swing, dear, 0, 15, 1e-13);
