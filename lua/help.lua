@@ -308,6 +308,13 @@ function help.overview()
     end
     rows[#rows + 1] = { topic[1], table.concat(list, " ") }
   end
+  local topics = help.by_topic()
+  local other = topics[#topics]
+  if other and other[1] == "Other" then
+    local list = {}
+    for i, row in ipairs(other[2]) do list[i] = row.name end
+    rows[#rows + 1] = { "Other", table.concat(list, " ") }
+  end
   local list = {}
   for name in kOfRotation:gmatch "%S+" do list[#list + 1] = names.find("rotation", name) and name end
   table.insert(rows, 2, { "?rotation", table.concat(list, " ") })

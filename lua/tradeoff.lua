@@ -199,10 +199,11 @@ local function text_of(references)
   return table.concat(texts, "; ") .. (#texts > 1 and "; for each row the one of another method" or "")
 end
 
--- The error of a run, and by what it is known: by the reference, which is of another method unless it was given or
--- exact; where that is not ten times better than the run, by the run's own certificate; or only a bound of it, where
--- the certificate finds nothing above rounding either.
+-- The error of a run, and by what it is known: by the reference, which is of another method unless it was given;
+-- where that is not ten times better than the run, by the run's own certificate; or only a bound of it, where the
+-- certificate finds nothing above rounding either, and for the exact model, which states its rounding.
 local function achieved(run, references)
+  if run.method == "exact" then return run.error_estimate, "bound" end
   local most = math.huge
   for _, reference in ipairs(references) do
     if reference.method ~= run.method then

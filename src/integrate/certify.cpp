@@ -20,8 +20,9 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kDeepest = 12;        // halvings of an interval: what omega may do within it
 constexpr double kResolved = 1e-4;  // of the integral of the norm: what its points may miss
-// What the generator of a dense output, the derivative of a polynomial of degree 22 whose terms are
-// rounded, makes of that rounding: 22^2 of it. It is noise, of which the integral keeps none.
+// What the generator of a dense output, the derivative of a polynomial of degree 17 whose terms are
+// rounded, makes of that rounding: 17^2 of it, and up to twice that for its own. It is noise, of
+// which the integral keeps none.
 constexpr double kDifferentiated = 512 * kEpsilon;
 constexpr double kShortReach =
     1e-9;  // of an interval: how far a jump is looked at from either side
@@ -215,7 +216,7 @@ class Measurement {
     bound_ += seen.size;
     const double turn = std::abs(seen.b - seen.a) * seen.rate;
     turned_ += turn;
-    rounding_.add(noise + 4 * kEpsilon * std::min(1.0, turned_), 1);  // at random, of 22 terms
+    rounding_.add(noise + 4 * kEpsilon * std::min(1.0, turned_), 1);  // at random, of 18 terms
     // A generator and an omega that do not change may be rounded alike all the way.
     alike_ += kEpsilon * turn;
   }

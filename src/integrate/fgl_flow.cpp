@@ -33,26 +33,6 @@ Quaternion quaternion(const Quaternion4& q) { return {q[0], q[1], q[2], q[3]}; }
 constexpr std::size_t kMostParts = 64;
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 
-// U becomes (1 + s turn) U, where s goes from 0 to 1 over all pieces. On each it is a + b z, and
-// z T_n = (T_(n-1) + T_(n+1))/2; the term beyond the last is lost.
-void spread(const Quaternion& turn, std::vector<FglPiece>& pieces) {
-  const double b = 0.5 / static_cast<double>(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    auto& terms = pieces[i].terms;
-    const double a = static_cast<double>(2 * i + 1) * b;
-    std::array<Eigen::Vector4d, kFglNodes + 3> turned;
-    turned.back().setZero();
-    for (std::size_t n = 0; n < terms.size(); ++n) {
-      turned[n] = (turn * Quaternion(Eigen::Vector4d(terms[n].data()))).coeffs();
-    }
-    for (std::size_t n = 0; n < terms.size(); ++n) {
-      Eigen::Map<Eigen::Vector4d> term(terms[n].data());
-      term += a * turned[n] + b / 2 * turned[n + 1];
-      if (n > 0) term += (n == 1 ? b : b / 2) * turned[n - 1];
-    }
-  }
-}
-
 }  // namespace
 
 FglFlow::FglFlow(const AngularVelocity& omega, double t0)
@@ -105,16 +85,30 @@ FglInterior FglFlow::interior(const Span& span, double middle, double half) cons
   return result;
 }
 
-// Each polynomial through the values of the method alone.
-Quaternion FglFlow::fill(const Span& span, std::size_t half, std::size_t parts, Quaternion u,
+// What `end` differs by from the end of the values is spread over the parts.
+Quaternion FglFlow::fill(const Span& span, std::size_t half, std::size_t parts,
+                         const Quaternion& from, const Quaternion* end,
                          std::vector<FglPiece>& pieces) const {
-  pieces.resize(parts);
   const auto all = static_cast<double>(2 * span.steps * parts);
+  std::vector<FglInterior> motions;
+  motions.reserve(parts);
+  Quaternion u = from;
   for (std::size_t i = 0; i < parts; ++i) {
     const auto place = static_cast<double>(2 * (half * parts + i) + 1);
-    const FglInterior motion = interior(span, place / all - 1, 1 / all);
-    fgl_kernel().fit(motion, components(u), {0, 0, 0, 0}, pieces[i]);
-    u = quaternion(motion.end) * u;
+    motions.push_back(interior(span, place / all - 1, 1 / all));
+    u = quaternion(motions.back().end) * u;
+  }
+  Quaternion turn(0, 0, 0, 0);
+  if (end != nullptr) {
+    turn = Quaternion(Eigen::Vector4d(end->coeffs() - u.coeffs())) * u.conjugate();
+    turn.coeffs() /= static_cast<double>(parts);
+  }
+  pieces.resize(parts);
+  u = from;
+  for (std::size_t i = 0; i < parts; ++i) {
+    fgl_kernel().fit(motions[i], components(u), components(turn), pieces[i]);
+    u = quaternion(motions[i].end) * u;
+    u.coeffs() += (turn * u).coeffs();
   }
   return u;
 }
@@ -127,7 +121,7 @@ bool FglFlow::is_resolved(const std::vector<FglPiece>& pieces) const {
     };
     const double before = std::max(size(14), size(15));
     const double last = std::max(size(16), size(17));
-    return last * std::min(1.0, last / before) <= std::max(allowed_, kRounding) || before == 0;
+    return last * std::min(1.0, last / before) <= std::max(allowed_, kRounding);
   });
 }
 
@@ -138,18 +132,15 @@ void FglFlow::fill_next() const {
   const Span& span = spans_[step_->span];
   const std::size_t half = 2 * step_->number + step_->known;
   const std::size_t first = span.first + step_->number;
-  const Quaternion& from = step_->known == 0 ? values_[first] : step_->middle;
+  const bool second = step_->known == 1;
+  const Quaternion& from = second ? step_->middle : values_[first];
+  const Quaternion* const end = second ? &values_[first + 1] : nullptr;
   std::vector<FglPiece>& pieces = step_->halves[step_->known];
-  Quaternion end = fill(span, half, 1, from, pieces);
+  Quaternion reached = fill(span, half, 1, from, end, pieces);
   for (std::size_t parts = 2; parts <= kMostParts && !is_resolved(pieces); parts *= 2) {
-    end = fill(span, half, parts, from, pieces);
+    reached = fill(span, half, parts, from, end, pieces);
   }
-  if (step_->known == 0) {
-    step_->middle = end;
-  } else {
-    const Quaternion miss(Eigen::Vector4d(values_[first + 1].coeffs() - end.coeffs()));
-    spread(miss * end.conjugate(), pieces);
-  }
+  if (!second) step_->middle = reached;
   ++step_->known;
 }
 

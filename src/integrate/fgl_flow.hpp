@@ -73,9 +73,9 @@ class FglFlow final : public Flow {
   bool is_in_part(double t) const;
   bool find_part(double t) const;
   void fill_next() const;
-  // The pieces of a half in so many parts, from U at its begin; U at its end.
-  Quaternion fill(const Span& span, std::size_t half, std::size_t parts, Quaternion u,
-                  std::vector<FglPiece>& pieces) const;
+  // The pieces of a half in so many parts, from U at its begin, to `end` if it is given; U there.
+  Quaternion fill(const Span& span, std::size_t half, std::size_t parts, const Quaternion& from,
+                  const Quaternion* end, std::vector<FglPiece>& pieces) const;
   bool is_resolved(const std::vector<FglPiece>& pieces) const;
   FglInterior interior(const Span& span, double middle, double half) const;
 

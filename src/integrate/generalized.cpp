@@ -258,9 +258,9 @@ double GeneralizedEquation::stretch(const Value& y) const {
   return y.isZero(0) ? 0 : norm(y) / (*f_)(angle(y)).slope;
 }
 
-// Halfway to the end of the domain where that is nearer: what it restarts from is below pi.
+// Halfway from pi to the end of the domain where that is nearer: it restarts from below pi.
 bool GeneralizedEquation::is_due(const Value& y) const {
-  return restart_ && f_->end() > kPi && angle(y) > std::min(1.5 * kPi, (kPi + f_->end()) / 2);
+  return restart_ && angle(y) > std::clamp((kPi + f_->end()) / 2, kPi, 1.5 * kPi);
 }
 
 Vector GeneralizedEquation::restarted(const Value& y) const {

@@ -46,7 +46,7 @@ constexpr Entry kMethods[] = {
      "few. It calls "
      "omega. noise, bias: bounds in rad per unit of t on what omega may be wrong by; times the "
      "length of the run they are added to .bound. What omega does between all points is not seen; "
-     "a motion of more than ten million rad is refused.",
+     "a run of more than ten million intervals is refused.",
      ROTOR_CERTIFICATE ".at_rounding --> true"},
 };
 

@@ -179,7 +179,7 @@ TEST_CASE("jumps that are not told cost the certificate no more than the run") {
       [](double t) { return Vector(std::fmod(t, 1.2) < 0.6 ? 1 : -1, 0.3, t / 10); });
   const Scene s = closed_form::to_accuracy(1e-9, scene(omega, 0, 10));
   const Propagator run = propagate(s);
-  CHECK(certificate(run, s).omega_calls < 4 * run.cost.omega_calls);
+  CHECK(certificate(run, s).omega_calls < run.cost.omega_calls);
 }
 
 TEST_CASE("few points a step or many give the same") {
@@ -272,8 +272,11 @@ TEST_CASE("a jump between an end of the mesh and the first point is found") {
         [end](double t) { return Vector(0, 0, std::abs(t - end) < 0.008 ? 3 : 1); });
     const Certificate found = certify(flow, omega);
     const double error = end == 5 ? 0.032 : 0.016;  // twice that, on one side or on both
-    CHECK(found.estimate == Approx(error).epsilon(0.1));
-    CHECK(found.bound >= 0.9 * error);
+    // Each of up to two jumps by 2 lies in a 4096th of an interval of 5, and the points miss it by
+    // half the greatest weight, 0.08, at most.
+    const double missed = 2 * 2 * 5.0 / 4096 * 0.04;
+    CHECK(found.estimate == Approx(error).margin(missed));
+    CHECK(found.bound >= error - missed);
   }
 }
 
