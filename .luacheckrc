@@ -21,7 +21,7 @@ read_globals = {
   -- motion
   "spin", "evolve", "tradeoff", "read_csv", "write_csv", "plot",
   -- scripted tests
-  "theorem", "near", "holds", "fails",
+  "theorem", "near", "holds", "fails", "for_each", "for_all", "given", "any",
   -- the terminal
   "help", "conventions", "precision",
 }

@@ -20,7 +20,7 @@ help.topics = {
   { "Motion", "evolve angular_velocity rotation_rates spin tradeoff" },
   { "Data", "read_csv write_csv plot continuous_quaternions fit_rigid is_rigid" },
   { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs floor ceil" },
-  { "Testing", "theorem near holds fails" },
+  { "Testing", "theorem near holds fails for_each for_all given any" },
   { "Terminal", "help conventions precision draw_sphere" },
 }
 
@@ -111,7 +111,7 @@ local function about_type(name)
   local makers = names.select(function(row) return row.result == name and row.owner ~= name and row.kind ~= "field" end)
   for i, row in ipairs(makers) do makers[i] = names.full_name(row) end
   local made = makers[1] and ", made by " .. table.concat(makers, ", ") or ""
-  local head = text.wrap("Type " .. name .. made, "", "    ")
+  local head = text.wrap((names.is_type(name) and "Type " or "Library ") .. name .. made, "", "    ")
   local function parts(list, between)
     local all = { head }
     for _, group in ipairs(kTypeGroups) do

@@ -11,6 +11,12 @@ function names.find(owner, name)
   end
 end
 
+--- What is registered as a global, whatever a script has made of the name; in a registry without values, the global.
+function names.registered(name)
+  local row = names.find("", name)
+  return row and row.value or rawget(_G, name)
+end
+
 --- The name to ask for: "slerp", "rotation:inverse", "run.cost".
 function names.full_name(row)
   if row.owner == "" or row.kind == "operator" then return row.name end
@@ -31,9 +37,11 @@ function names.members(owner, kind)
   return names.select(function(row) return row.owner == owner and (not kind or row.kind == kind) end)
 end
 
---- Whether values of this type exist: something other than a library's function belongs to it.
+--- Whether values of this type exist: something other than a library's functions and values belongs to it.
 function names.is_type(name)
-  return name ~= "" and names.select(function(row) return row.owner == name and row.kind ~= "function" end)[1] ~= nil
+  return name ~= "" and names.select(function(row)
+    return row.owner == name and row.kind ~= "function" and row.kind ~= "value"
+  end)[1] ~= nil
 end
 
 --- The type for whose values this name stands in signatures, as R in R:inverse() and S in R == S; or nil.

@@ -3,7 +3,9 @@ local entries = require "rotor.entries"
 
 for _, row in ipairs(require "rotor.rows") do
   entries[#entries + 1] = row
-  _G[row.name] = row.value
+  local library = row.owner == "" and _G or _G[row.owner] or {}
+  if row.owner ~= "" then _G[row.owner] = library end
+  library[row.name] = row.value
 end
 
 -- The functions of math that take jets too, in the place of Lua's: bare and in math one and the same.

@@ -7,6 +7,18 @@ local function testing(name)
   return function(...) return require "rotor.testing"[name](...) end
 end
 
+-- Of any, as a table whose functions are looked up when they are called.
+local function generator(name)
+  local function calls(key)
+    return function(...) return require "rotor.generators".any[name][key](...) end
+  end
+  return { draw = calls "draw", shrink = calls "shrink" }
+end
+
+local function maker(name)
+  return function(...) return require "rotor.generators".any[name](...) end
+end
+
 local function conventions() return require "rotor.conventions" end
 
 return {
@@ -38,6 +50,62 @@ return {
     summary = "Checks that f() raises an error, whose message has the Lua pattern in it if one is given. "
       .. "Outside a theorem, an f that does not fail raises an error.",
     example = 'fails(function() return 1 + {} end, "no sum with a table", "arithmetic")' },
+  { owner = "", name = "for_each", kind = "function", result = "nil", value = testing("for_each"),
+    signature = "for_each(cases, f)",
+    summary = "Calls f(case, i) for each of a list of cases. What is checked in the same words in several cases is "
+      .. "one line of the theorem's table: the worst, by difference over tolerance, and the number of cases; a case "
+      .. "that fails is printed in digits that read back. An error in a case fails the theorem, which says in which. "
+      .. "Outside a theorem the lines are printed, and one that fails is raised.",
+    example = 'for_each({0, 1, -1}, function(x) near(sin(x), -sin(-x), 0, "sine is odd") end)' },
+  { owner = "", name = "for_all", kind = "function", result = "nil", value = testing("for_all"),
+    signature = "for_all(values, f, {n=, seed=})",
+    summary = "Calls f(case, i) for n random cases (default 100), folded as for_each does: a case has a value under "
+      .. "each name in `values`, drawn by the generator there (help \"any\"). The same seed (default 1) gives the same "
+      .. "cases everywhere; math.random is left alone. A case that fails ends it and is shrunk: simpler values are "
+      .. "tried as long as the same check fails, or an error is raised again, 1000 tries at most; both are printed.",
+    example = "for_all({R = any.rotation, v = any.vector(1)}, function(case)\n"
+      .. '  near(norm(case.v), norm(case.R*case.v), 2e-15, "a rotation keeps lengths")\nend)' },
+  { owner = "", name = "given", kind = "function", result = "nil", value = testing("given"),
+    signature = "given(condition)",
+    summary = "The hypothesis, in the function of for_all or for_each: where it is false the case is left out. A "
+      .. "hypothesis that holds in less than a tenth of the cases fails.",
+    example = "for_all({x = any.number(-1, 1)}, function(case)\n  given(case.x >= 0)\n"
+      .. '  near(case.x, sqrt(case.x)^2, 4e-16, "the root squared")\nend)' },
+  { owner = "any", name = "number", kind = "function", result = "table", value = maker "number",
+    signature = "any.number(low, high) -> table",
+    summary = "Draws a number, uniform in [low, high], for for_all. It shrinks towards small whole numbers, halves, "
+      .. "quarters.",
+    example = "any.number(-1, 4).shrink(3.25)[1] --> 0.0" },
+  { owner = "any", name = "integer", kind = "function", result = "table", value = maker "integer",
+    signature = "any.integer(low, high) -> table",
+    summary = "Draws a whole number from low to high, each as likely, for for_all. It shrinks towards 0, or the "
+      .. "end nearest to it.",
+    example = "any.integer(3, 9).shrink(8)[1] --> 3" },
+  { owner = "any", name = "direction", kind = "value", result = "table", value = generator "direction",
+    signature = "any.direction",
+    summary = "Draws a unit vector, uniform on the sphere, for for_all. It shrinks towards the axes and the diagonals "
+      .. "between them.",
+    example = "any.direction.shrink(vec(0, 0, 1))[1] --> vec(1.0, 0.0, 0.0)" },
+  { owner = "any", name = "vector", kind = "function", result = "table", value = maker "vector",
+    signature = "any.vector(size) -> table",
+    summary = "Draws a vector, each component uniform in [-size, size], for for_all. It shrinks as its components "
+      .. "do, towards 0.",
+    example = "any.vector(2).shrink(vec(1, 2, 0))[1] --> vec(0.0, 0.0, 0.0)" },
+  { owner = "any", name = "rotation", kind = "value", result = "table", value = generator "rotation",
+    signature = "any.rotation",
+    summary = "Draws a rotation, uniform on all attitudes (Haar measure), its angle in [0, pi], for for_all. It "
+      .. "shrinks towards the identity, quarter and half turns about the axes, then simple axes and angles.",
+    example = "any.rotation.shrink(rotation({0, 0, 1}, 1))[2].angle/deg --> 90.0" },
+  { owner = "any", name = "one_of", kind = "function", result = "table", value = maker "one_of",
+    signature = "any.one_of(choices) -> table",
+    summary = "Draws one of the values in a list, each as likely, for for_all. It shrinks towards the first.",
+    example = 'any.one_of{"rk4", "dop853", "fgl"}.shrink("dop853")[1] --> "rk4"' },
+  { owner = "any", name = "list", kind = "function", result = "table", value = maker "list",
+    signature = "any.list(generator, n) -> table",
+    summary = "Draws a list of n values of a generator, for for_all: one of any's, or your own, {draw = f, "
+      .. "shrink = g} or f alone. f(random) makes a value: random() is uniform in [0, 1), random(m, n) a whole number. "
+      .. "g(value) lists simpler values, simplest first.",
+    example = "#any.list(any.integer(0, 5), 2).shrink{0, 1} --> 1" },
   { owner = "", name = "conventions", kind = "function", result = "nil",
     page = function() return conventions().page() end,
     value = function(library) print(conventions().page(library)) end,

@@ -1,12 +1,8 @@
 -- The unit sphere in characters, seen from far away: points on it and arcs of great circles.
 local names = require "rotor.names"
 
--- As registered, whatever a script has made of the global names; a registry of a test's own has none of them.
-local function registered(name)
-  local row = names.find("", name)
-  return row and row.value or rawget(_G, name)
-end
-local vec, dot, cross, unit = registered "vec", registered "dot", registered "cross", registered "unit"
+local vec, dot, cross, unit = names.registered "vec", names.registered "dot", names.registered "cross",
+  names.registered "unit"
 
 local sphere = {}
 

@@ -59,12 +59,13 @@ end
 
 -- The YAML block under a test that is not ok.
 local function diagnosis(theorem)
+  local title = require "rotor.testing".title
   local lines = { "  ---" }
   if theorem.problem then lines[2] = "  problem: " .. quoted(theorem.problem) end
   if theorem.failed > 0 then lines[#lines + 1] = "  failed:" end
   for _, check in ipairs(theorem.checks) do
     if not check.pass then
-      lines[#lines + 1] = "    - what: " .. quoted(check.what)
+      lines[#lines + 1] = "    - what: " .. quoted(title(check))
       if check.values then
         lines[#lines + 1] = "      predicted: " .. quoted(check.values[1])
         lines[#lines + 1] = "      measured: " .. quoted(check.values[2])
@@ -72,6 +73,8 @@ local function diagnosis(theorem)
         lines[#lines + 1] = "      tolerance: " .. quoted(check.tolerance)
       end
       if check.note then lines[#lines + 1] = "      reason: " .. quoted(check.note) end
+      if check.said and check.said[1] then lines[#lines + 1] = "      cases:" end
+      for _, line in ipairs(check.said or {}) do lines[#lines + 1] = "        - " .. quoted(line) end
       if check.where then lines[#lines + 1] = "      at: " .. quoted(check.where) end
     end
   end
@@ -80,7 +83,7 @@ local function diagnosis(theorem)
 end
 
 return function(files, set_report)
-  local message = require "rotor.testing".message
+  local message = require "rotor.scopes".message
   local stdout_write, stdout = debug.getmetatable(io.stdout).__index.write, io.stdout
   local count, failed, pending = 0, 0, ""
   local function out(line) stdout_write(stdout, line, "\n") end

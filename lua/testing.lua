@@ -1,38 +1,26 @@
--- theorem, near, holds, fails: what a theorem predicts beside what is measured. An ordinary script prints tables for
--- people; `rotor --test` prints TAP (run, below).
+-- theorem, near, holds, fails, and those of rotor.cases: what a theorem predicts beside what is measured. An ordinary
+-- script prints tables for people; `rotor --test` prints TAP (run, below).
+local cases = require "rotor.cases"
 local compare = require "rotor.compare"
+local exact = require "rotor.exact"
+local scopes = require "rotor.scopes"
 local text = require "rotor.text"
 
 local testing = {}
 
 local total = { theorems = 0, failed = 0, checks = 0, failed_checks = 0 }
-local current        -- the theorem that runs: { name =, thread =, checks = { check, ... } }
-local report         -- what becomes of a theorem that ended; run() puts another in its place
+local report  -- what becomes of a theorem that ended; run() puts another in its place
 
--- A check: { what =, pass =, note = why not, where = in the script }, of near also, as texts, predicted =, measured =
+-- A theorem: a scope with name =, and, when it ended, pass =, failed = so many of its checks, problem = what else.
+-- A check: { what =, place = in the value, pass =, ratio = the greater the worse, note = why not, where = in the
+-- script, count = of the cases folded, said = { of these, ... } }; of near also, as texts, predicted =, measured =
 -- (the numbers that differ most), difference =, tolerance =, values = { the whole of both }.
 
--- Runs the body of a theorem: no tail call, so that as long as the body runs this is on its stack.
-local function protected(f)
-  local ended, raised = pcall(f)
-  return ended, raised
-end
-
--- The theorem from which this is called, or nil. Ctrl-C leaves a theorem without giving it the chance to say so, so the
--- stack is asked: that of the thread in which it began, as its checks may stand in coroutines.
+-- The theorem from which this is called, or nil.
 local function theorem_here()
-  if not current or coroutine.status(current.thread) == "dead" then return nil end
-  for level = 0, math.huge do
-    local info = debug.getinfo(current.thread, level, "f")
-    if not info then return nil end
-    if info.func == protected then return current end
-  end
-end
-
---- What was raised, as text.
-function testing.message(raised)
-  local ended, message = pcall(tostring, raised)
-  return ended and message or "(error object whose __tostring fails)"
+  local scope = scopes.here()
+  while scope and not scope.name do scope = scope.outer end
+  return scope
 end
 
 -- Numbers as text ----------------------------------------------------------------------------------------------------
@@ -47,16 +35,14 @@ local function size_text(x)
   return x == 0 and "0" or number_text(x, "%.1e")
 end
 
--- Round-trip digits, for reports of failures.
-local function exact_text(x)
-  if type(x) == "number" then
-    return text.number(x)
-  elseif type(x) == "table" and not getmetatable(x) then
-    local parts = {}
-    for i = 1, #x do parts[i] = exact_text(x[i]) end
-    return "{" .. table.concat(parts, ", ") .. "}"
-  end
-  return tostring(x)
+local function plural(count, word)
+  return count .. " " .. word .. (count == 1 and "" or "s")
+end
+
+--- What was checked, where in the value, in how many cases.
+function testing.title(check)
+  return check.what .. (check.place and " " .. check.place or "")
+    .. (check.count and " (" .. plural(check.count, "case") .. ")" or "")
 end
 
 -- Tables for people ---------------------------------------------------------------------------------------------------
@@ -72,6 +58,7 @@ local function details(check)
     say("measured   ", check.values[2])
   end
   say("", check.note)
+  for _, line in ipairs(check.said or {}) do say("", line) end
   say("at ", check.where)
   return table.concat(lines, "\n")
 end
@@ -100,7 +87,7 @@ local function table_of(checks)
   local lines = {}
   if used > 8 then lines[1] = (" "):rep(room + 2) .. cells(function(key) return key end) end
   for _, check in ipairs(checks) do
-    local what = check.what
+    local what = testing.title(check)
     if text.width(what) > room then
       lines[#lines + 1] = text.wrap(what, "  ", "    ")
       what = ""
@@ -110,10 +97,6 @@ local function table_of(checks)
     if not check.pass then lines[#lines + 1] = details(check) end
   end
   return table.concat(lines, "\n")
-end
-
-local function plural(count, word)
-  return count .. " " .. word .. (count == 1 and "" or "s")
 end
 
 local function print_theorem(theorem)
@@ -136,25 +119,30 @@ local function caller()
 end
 
 local function sentence(check)
-  local parts = { check.what }
+  local parts = { testing.title(check) }
   if check.values then
-    parts[1] = ("%s: predicted %s, measured %s, difference %s, tolerance %s"):format(check.what, check.values[1],
+    parts[1] = ("%s: predicted %s, measured %s, difference %s, tolerance %s"):format(parts[1], check.values[1],
       check.values[2], check.difference, check.tolerance)
   end
   parts[#parts + 1] = check.note
+  for _, line in ipairs(check.said or {}) do parts[#parts + 1] = line end
   return table.concat(parts, ": ")
 end
 
--- Inside a theorem a check is kept for its table. Outside it stands alone: it is printed, or raised if it fails.
+-- A check that stands in no theorem and no case: it is printed, or raised if it fails.
+local function stand_alone(kind, check)
+  if not check.pass then error(kind .. ": " .. sentence(check), 4) end
+  print(text.wrap(sentence(check), "PASS  ", "        "))
+end
+
 local function add(kind, check)
-  local theorem = theorem_here()
-  if theorem then
+  local scope = scopes.here()
+  check.ratio = check.ratio or check.pass and 0 or math.huge
+  if scope then
     check.where = not check.pass and caller() or nil
-    table.insert(theorem.checks, check)
-  elseif check.pass then
-    print(text.wrap(sentence(check), "PASS  ", "        "))
+    table.insert(scope.checks, check)
   else
-    error(kind .. ": " .. sentence(check), 3)
+    stand_alone(kind, check)
   end
 end
 
@@ -174,11 +162,13 @@ function testing.near(predicted, measured, tolerance, what)
   local check = { what = what or "the value", pass = false, note = reason, tolerance = size_text(tolerance) }
   if found then
     check.pass = found.difference <= tolerance
+    check.ratio = found.difference == 0 and 0 or found.difference/tolerance  -- infinite where the tolerance is 0
+    if check.ratio ~= check.ratio then check.ratio = math.huge end
     check.difference = size_text(found.difference)
-    check.values = { exact_text(predicted), exact_text(measured) }
+    check.values = { exact(predicted), exact(measured) }
     if found.predicted then
       check.predicted, check.measured = number_text(found.predicted), number_text(found.measured)
-      if found.place ~= "" then check.what = check.what .. " " .. found.place end
+      check.place = found.place ~= "" and found.place or nil
     end
   end
   add("near", check)
@@ -199,7 +189,7 @@ function testing.fails(f, what, pattern)
     error("fails: the pattern must be a string, got a " .. type(pattern), 2)
   end
   local ended, raised = pcall(f)
-  local message = testing.message(raised)
+  local message = scopes.message(raised)
   local note
   if ended then
     note = "no error was raised"
@@ -209,17 +199,42 @@ function testing.fails(f, what, pattern)
   add("fails", { what = what or "an error is raised", pass = not note, note = note })
 end
 
+-- The checks of many cases, folded, go where a single one would go.
+local function add_cases(kind, ...)
+  local ended, checks, problem = pcall(cases[kind], ...)
+  if not ended then
+    local refused = type(checks) == "table" and checks.refused
+    error(refused and kind .. ": " .. refused or checks, refused and 3 or 0)
+  end
+  local scope = scopes.here()
+  for _, check in ipairs(checks) do
+    if scope then
+      table.insert(scope.checks, check)
+    else
+      stand_alone(kind, check)
+    end
+  end
+  if problem then error(kind .. ": " .. problem, 3) end
+end
+
+--- for_each(cases, f)
+function testing.for_each(list, f) add_cases("for_each", list, f) end
+
+--- for_all(values, f, {n=, seed=})
+function testing.for_all(values, f, options) add_cases("for_all", values, f, options) end
+
+testing.given = cases.given
+
 --- theorem(name, f)
 function testing.theorem(name, f)
   if type(name) ~= "string" then error("theorem: its name must be a string, got a " .. type(name), 2) end
   if type(f) ~= "function" then error("theorem: a function with the checks must follow, got a " .. type(f), 2) end
-  if theorem_here() then error(("theorem: %q stands inside %q"):format(name, current.name), 2) end
-  local theorem = { name = name, thread = coroutine.running(), checks = {}, failed = 0 }
-  current = theorem
-  local ended, raised = protected(f)
-  current = nil
-  if not ended then
-    theorem.problem = "it ended in an error: " .. testing.message(raised)
+  local outer = theorem_here()
+  if outer then error(("theorem: %q stands inside %q"):format(name, outer.name), 2) end
+  local theorem = { name = name, failed = 0 }
+  local problem = scopes.run(theorem, f)
+  if problem then
+    theorem.problem = "it ended in an error: " .. problem
   elseif #theorem.checks == 0 then
     theorem.problem = "it checked nothing"
   end
