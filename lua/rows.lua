@@ -30,8 +30,9 @@ return {
   { owner = "", name = "theorem", kind = "function", result = "nil", value = testing("theorem"),
     signature = "theorem(name, f)",
     summary = "Runs f and prints the checks that it makes (near, holds, fails) as a table: predicted, measured, "
-      .. "difference, tolerance, PASS or FAIL. A script in which a theorem failed ends with status 1; "
-      .. "rotor --test prints one TAP line for each theorem. A theorem that checks nothing fails.",
+      .. "difference, tolerance, PASS or FAIL, and the processor time. A script in which a theorem failed ends with "
+      .. "status 1; rotor --test prints one TAP line for each theorem, rotor --test --filter TEXT only runs those with "
+      .. "TEXT in their names, plain text, in capitals or not. A theorem that checks nothing fails.",
     example = 'theorem("half", function() near(180*deg, pi, 1e-15, "180 degrees") end)' },
   { owner = "", name = "near", kind = "function", result = "nil", value = testing("near"),
     signature = "near(predicted, measured, tolerance, what)",

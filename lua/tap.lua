@@ -1,4 +1,5 @@
--- `rotor --test FILES`: every theorem is a line of TAP (version 13); what the scripts print comes behind "# ".
+-- `rotor --test FILES`: every theorem is a line of TAP (version 13), with its time behind "# ", which is no directive
+-- as TODO and SKIP are. What the scripts print comes behind "# " too.
 
 -- luacheck: ignore 122
 
@@ -82,10 +83,12 @@ local function diagnosis(theorem)
   return table.concat(lines, "\n")
 end
 
-return function(files, set_report)
+--- Runs the files; `part`: whether only a part of the theorems is wanted, and files without any are not mentioned.
+return function(files, set_report, part)
   local message = require "rotor.scopes".message
   local stdout_write, stdout = debug.getmetatable(io.stdout).__index.write, io.stdout
-  local count, failed, pending = 0, 0, ""
+  local milliseconds = require "rotor.testing".milliseconds
+  local count, failed, seconds, pending = 0, 0, 0, ""
   local function out(line) stdout_write(stdout, line, "\n") end
   local function flush()
     if pending ~= "" then out("# " .. pending) end
@@ -101,7 +104,9 @@ return function(files, set_report)
     count = count + 1
     failed = failed + (theorem.pass and 0 or 1)
     local name = (file .. ": " .. theorem.name):gsub("%s+", " "):gsub("#", "\\#")
-    out((theorem.pass and "ok " or "not ok ") .. count .. " - " .. name)
+    local time = theorem.seconds and " # time=" .. milliseconds(theorem.seconds, "ms") or ""
+    seconds = seconds + (theorem.seconds or 0)
+    out((theorem.pass and "ok " or "not ok ") .. count .. " - " .. name .. time)
     if not theorem.pass then out(diagnosis(theorem)) end
   end
   stdout:setvbuf "line"  -- so that what a script's os.execute prints comes after what stands before it
@@ -131,16 +136,17 @@ return function(files, set_report)
     restore(tables)
     set_report(nil)
     local problem
-    if not ended and not rawequal(raised, exited) then
+    if not ended and not exited then
       problem = message(raised)
     elseif exited and not exited.success then
       problem = "it ended itself with a status that means failure"
     end
-    if problem or count == before then
+    if problem or count == before and not part then
       test(file, { name = "runs", pass = not problem, problem = problem, failed = 0, checks = {} })
     end
     flush()
   end
   out("1.." .. count)
+  out("# time=" .. milliseconds(seconds, "ms"))
   return failed == 0 and count > 0
 end

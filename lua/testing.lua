@@ -8,10 +8,13 @@ local text = require "rotor.text"
 
 local testing = {}
 
-local total = { theorems = 0, failed = 0, checks = 0, failed_checks = 0 }
+local clock = os.clock  -- of the processor; a script may change os
+local total = { theorems = 0, failed = 0, checks = 0, failed_checks = 0, seconds = 0, left_out = 0 }
+local filter  -- what the name of a theorem must have in it, in small letters, to be run; or nil
 local report  -- what becomes of a theorem that ended; run() puts another in its place
 
--- A theorem: a scope with name =, and, when it ended, pass =, failed = so many of its checks, problem = what else.
+-- A theorem: a scope with name =, and, when it ended, pass =, failed = so many of its checks, problem = what else,
+-- seconds =.
 -- A check: { what =, place = in the value, pass =, ratio = the greater the worse, note = why not, where = in the
 -- script, count = of the cases folded, said = { of these, ... } }; of near also, as texts, predicted =, measured =
 -- (the numbers that differ most), difference =, tolerance =, values = { the whole of both }.
@@ -37,6 +40,11 @@ end
 
 local function plural(count, word)
   return count .. " " .. word .. (count == 1 and "" or "s")
+end
+
+--- So many seconds, in milliseconds.
+function testing.milliseconds(seconds, unit)
+  return ("%.1f"):format(1000*seconds) .. unit
 end
 
 --- What was checked, where in the value, in how many cases.
@@ -105,7 +113,7 @@ local function print_theorem(theorem)
   if theorem.problem then print(text.wrap(theorem.problem, "  ", "    ")) end
   local count = plural(#theorem.checks, "check")
   print((theorem.pass and "PASS  " .. count or theorem.failed > 0 and "FAIL  " .. theorem.failed .. " of " .. count
-    or "FAIL") .. "\n")
+    or "FAIL") .. "  " .. testing.milliseconds(theorem.seconds, " ms") .. "\n")
 end
 
 report = print_theorem
@@ -231,8 +239,13 @@ function testing.theorem(name, f)
   if type(f) ~= "function" then error("theorem: a function with the checks must follow, got a " .. type(f), 2) end
   local outer = theorem_here()
   if outer then error(("theorem: %q stands inside %q"):format(name, outer.name), 2) end
-  local theorem = { name = name, failed = 0 }
+  if filter and not name:lower():find(filter, 1, true) then
+    total.left_out = total.left_out + 1
+    return
+  end
+  local theorem, begun = { name = name, failed = 0 }, clock()
   local problem = scopes.run(theorem, f)
+  theorem.seconds = clock() - begun
   if problem then
     theorem.problem = "it ended in an error: " .. problem
   elseif #theorem.checks == 0 then
@@ -244,6 +257,7 @@ function testing.theorem(name, f)
   theorem.pass = theorem.failed == 0 and not theorem.problem
   total.theorems, total.checks = total.theorems + 1, total.checks + #theorem.checks
   total.failed, total.failed_checks = total.failed + (theorem.pass and 0 or 1), total.failed_checks + theorem.failed
+  total.seconds = total.seconds + theorem.seconds
   report(theorem)
 end
 
@@ -252,14 +266,19 @@ function testing.finish()
   if total.theorems > 0 then
     local failed = total.failed > 0 and (": %d failed (%d of %s)"):format(total.failed, total.failed_checks,
       plural(total.checks, "check")) or ": all passed (" .. plural(total.checks, "check") .. ")"
-    print(plural(total.theorems, "theorem") .. failed)
+    print(plural(total.theorems, "theorem") .. failed .. "  " .. testing.milliseconds(total.seconds, " ms"))
   end
   return total.failed == 0
 end
 
---- Runs files for `rotor --test` and prints TAP. Returns whether all passed.
-function testing.run(files)
-  return require "rotor.tap"(files, function(reporter) report = reporter or print_theorem end)
+--- Runs files for `rotor --test` and prints TAP; with a text, only theorems with it in their names, in capitals or not.
+--- Returns whether all passed, and why if no theorem has such a name.
+function testing.run(files, part)
+  filter = part and part:lower()
+  local passed = require "rotor.tap"(files, function(reporter) report = reporter or print_theorem end, part)
+  local none = part and total.theorems == 0 and ('--test: of %s none has "%s" in its name'):format(
+    plural(total.left_out, "theorem"), part)
+  return passed, none or nil
 end
 
 return testing

@@ -47,14 +47,32 @@ void set_flag(Options& options, std::string_view option) {
   }
 }
 
+/// What follows --test: paths, and before, between or after them --filter TEXT.
+void read_tests(Options& options, int index, int argc, const char* const* argv) {
+  options.task = Options::Task::kTest;
+  for (; index < argc; ++index) {
+    if (std::string_view(argv[index]) != "--filter") {
+      options.tests.emplace_back(argv[index]);
+      continue;
+    }
+    if (!options.filter.empty()) throw std::invalid_argument("'--filter' is given twice");
+    if (++index == argc || *argv[index] == '\0') {
+      throw std::invalid_argument("'--filter' needs a part of the names of theorems");
+    }
+    options.filter = argv[index];
+  }
+  if (options.tests.empty()) throw std::invalid_argument("'--test' needs files or directories");
+}
+
 /// "--name". Returns whether options go on after it.
 bool set_task(Options& options, int index, int argc, const char* const* argv) {
   const std::string_view option = argv[index];
   if (option == "--test") {
-    options.task = Task::kTest;
-    options.tests.assign(argv + index + 1, argv + argc);
-    if (options.tests.empty()) throw std::invalid_argument("'--test' needs files or directories");
+    read_tests(options, index + 1, argc, argv);
     return false;
+  }
+  if (option == "--filter") {
+    throw std::invalid_argument("'--filter' is for --test: rotor --test --filter TEXT files");
   }
   const auto* found =
       std::find_if(std::begin(kLongOptions), std::end(kLongOptions),
@@ -110,7 +128,7 @@ Options parse_options(int argc, const char* const* argv) {
 
 std::string usage() {
   return "usage: rotor [options] [script [arguments]]\n"
-         "       rotor --test files or directories\n"
+         "       rotor --test [--filter TEXT] files or directories\n"
          "rotor --help says more.";
 }
 
@@ -120,7 +138,7 @@ std::string version_text() {
 
 std::string help_text() {
   return R"(usage: rotor [options] [script [arguments]]
-       rotor --test files or directories
+       rotor --test [--filter TEXT] files or directories
 
 The calculator for rotations in motion. Without a script: the terminal, or, when
 standard input is no terminal, what comes from there as one script.
@@ -137,6 +155,8 @@ standard input is no terminal, what comes from there as one script.
   -             no more options; run standard input
   --test PATHS  run scripted tests, *.lua in directories, and print TAP; status 0
                 if all passed
+  --filter TEXT after --test: only theorems with TEXT in their names, plain
+                text, in capitals or not
   --version     print the version and leave
   --help        print this and leave
   --reference   print the reference of all functions, as Markdown

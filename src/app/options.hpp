@@ -23,6 +23,7 @@ struct Options {
   std::vector<Preparation> preparations;
   int script = 0;                  // its index in argv; 0: none. "-" is standard input
   std::vector<std::string> tests;  // what --test is to run
+  std::string filter;              // of which theorems; empty: all
 
   bool executes() const;  // whether there is an -e
 };

@@ -67,8 +67,14 @@ int finish_theorems(lua_State* L) {
   return 1;
 }
 
+struct Tests {
+  std::vector<std::string> files;
+  std::string filter;
+};
+
+/// Returns whether all passed, and nil or why none was run.
 int run_test_files(lua_State* L) {
-  const auto& files = *static_cast<const std::vector<std::string>*>(lua_touserdata(L, 1));
+  const auto& [files, filter] = *static_cast<const Tests*>(lua_touserdata(L, 1));
   script::push_module(L, "rotor.testing");
   lua_getfield(L, -1, "run");
   lua_createtable(L, static_cast<int>(files.size()), 0);
@@ -76,8 +82,13 @@ int run_test_files(lua_State* L) {
     lua_pushlstring(L, files[i].data(), files[i].size());
     lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
   }
-  lua_call(L, 1, 1);
-  return 1;
+  if (filter.empty()) {
+    lua_pushnil(L);
+  } else {
+    lua_pushlstring(L, filter.data(), filter.size());
+  }
+  lua_call(L, 2, 2);
+  return 2;
 }
 
 }  // namespace
@@ -168,18 +179,19 @@ bool Program::run_script(const char* name) {
 }
 
 bool Program::run_tests() {
-  std::vector<std::string> files;
+  Tests tests{{}, options_.filter};
   try {
-    files = tests_to_run(options_.tests);
+    tests.files = tests_to_run(options_.tests);
   } catch (const std::exception& error) {
     lua_pushstring(L_, error.what());
     return checked(false);
   }
   lua_pushcfunction(L_, run_test_files);
-  lua_pushlightuserdata(L_, &files);
-  if (!checked(call(L_, 1, 1))) return false;
-  const bool passed = lua_toboolean(L_, -1);
-  lua_pop(L_, 1);
+  lua_pushlightuserdata(L_, &tests);
+  if (!checked(call(L_, 1, 2))) return false;
+  if (lua_isstring(L_, -1)) return checked(false);
+  const bool passed = lua_toboolean(L_, -2);
+  lua_pop(L_, 2);
   if (!passed) status_ = EXIT_FAILURE;
   return passed;
 }

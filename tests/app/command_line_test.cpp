@@ -102,7 +102,7 @@ TEST_CASE("options -v --version --help") {
   check("rotor --version", kVersion);
   check("rotor -v -e 'print(1)'", kVersion + "1\n");
   check_contains("rotor --help", "usage: rotor [options] [script [arguments]]", 0);
-  check("rotor --help 2>/dev/null | grep -c -e --test", "2\n");
+  check("rotor --help 2>/dev/null | grep -c -e --test", "3\n");
 }
 
 TEST_CASE("an option that does not exist") {
@@ -270,7 +270,7 @@ TEST_CASE("option --test runs files and directories, sorted") {
   directory.write("empty/notes.txt", "no Lua");
   const std::string failing =
       directory.write("failing.lua", "theorem('F', function() holds(false, 'it') end)\n");
-  check("cd " + directory.file("") + " && rotor --test tests | grep ^ok",
+  check("cd " + directory.file("") + " && rotor --test tests | grep ^ok | sed 's/ # time=.*ms$//'",
         "ok 1 - tests/a.lua: T\nok 2 - tests/b.lua: T\nok 3 - tests/deep/c.lua: T\n");
   check("rotor --test " + directory.file("tests/a.lua") + " >/dev/null", "", 0);
   check("rotor --test " + directory.file("tests") + " " + failing + " >/dev/null", "", 1);
@@ -279,10 +279,28 @@ TEST_CASE("option --test runs files and directories, sorted") {
   check_contains("rotor --test " + directory.file("empty"), "rotor: --test: no file *.lua in", 1);
 }
 
+TEST_CASE("option --filter runs the theorems with a text in their names") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("both.lua",
+                                           "theorem('Right', function() holds(true) end)\n"
+                                           "theorem('Wrong', function() holds(false) end)\n");
+  check("rotor --test --filter right " + file + " | grep -c ok", "1\n");
+  check("rotor --test --filter RIGHT " + file + " >/dev/null", "", 0);
+  check("rotor --test " + file + " --filter wrong >/dev/null", "", 1);
+  check_contains("rotor --test --filter '(x' " + file,
+                 "rotor: --test: of 2 theorems none has \"(x\" in its name\n", 1);
+  check_contains("rotor --filter right " + file, "rotor: '--filter' is for --test: rotor --test",
+                 1);
+  check_contains("rotor --test --filter", "rotor: '--filter' needs a part of the names", 1);
+  check_contains("rotor --test --filter '' " + file, "rotor: '--filter' needs a part of", 1);
+  check_contains("rotor --test --filter a --filter b " + file, "'--filter' is given twice", 1);
+  check_contains("rotor --test --filter a", "rotor: '--test' needs files or directories", 1);
+}
+
 TEST_CASE("a script with theorems ends with their sum, and with 1 if one failed") {
   const std::string theorem = "theorem('T', function() holds(";
   check_contains("echo \"" + theorem + "true, 'it') end)\" | rotor",
-                 "1 theorem: all passed (1 check)\n", 0);
+                 "1 theorem: all passed (1 check)  ", 0);
   check_contains("echo \"" + theorem + "false, 'it') end)\" | rotor", "1 theorem: 1 failed", 1);
 }
 

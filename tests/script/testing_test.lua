@@ -15,10 +15,15 @@ local function begin()
   end
 end
 
+-- Times are as they are: that there is one is tested, and then it is X.
+local function without_times(output)
+  return (output:gsub("%d+%.%d ?ms", "X ms"))
+end
+
 -- What a check does inside a theorem: "PASS" or "FAIL", and all that is printed.
 local function inside(check)
   begin()
-  local output = printed(testing.theorem, "t", check)
+  local output = without_times(printed(testing.theorem, "t", check))
   fits(output)
   local passed = testing.finish and select(2, output:gsub("\nPASS  ", "")) == 1
   local ended_well
@@ -163,7 +168,7 @@ t
                                         0     0.001     1.0e-03    1.0e-06  FAIL
       at PLACE
   convex                                                                    PASS
-FAIL  1 of 3 checks
+FAIL  1 of 3 checks  X ms
 
 ]])
 
@@ -205,7 +210,7 @@ printed(function()
   testing.theorem("a", function() testing.holds(true) testing.holds(true) end)
   testing.theorem("b", function() testing.holds(true) testing.holds(false) end)
 end)
-equal(printed(function() testing.finish() end), "2 theorems: 1 failed (1 of 4 checks)\n")
+equal(without_times(printed(function() testing.finish() end)), "2 theorems: 1 failed (1 of 4 checks)  X ms\n")
 
 -- TAP -----------------------------------------------------------------------------------------------------------------
 
@@ -219,7 +224,10 @@ local function script(source)
   return name
 end
 
--- Runs scripts as --test does; returns the verdict and what went to standard output, with FILE for the files' names.
+local part  -- of the names, for --filter
+
+-- Runs scripts as --test does; returns the verdict, what went to standard output, with FILE for the files' names and
+-- without the times, which each theorem and the end must have, and why nothing was run.
 local function tap(...)
   begin()
   local names, lines, methods = {}, {}, debug.getmetatable(io.stdout).__index
@@ -229,14 +237,19 @@ local function tap(...)
     if file ~= io.stdout then return write(file, ...) end
     lines[#lines + 1] = table.concat { ... }
   end
-  local ended, ok = pcall(testing.run, names)
+  local ended, ok, none = pcall(testing.run, names, part)
   methods.write = write
   if not ended then error(ok, 0) end
-  local text = table.concat(lines)
+  local text, sums = table.concat(lines):gsub("\n# time=%d+%.%dms\n$", "\n")
+  equal(sums, 1, "the sum of the times")
+  for line in text:gmatch "[^\n]+" do
+    if line:find "^n?o?t? ?ok" then equal(line:find " # time=%d+%.%dms$" ~= nil, not line:find ": runs$", line) end
+  end
+  text = text:gsub(" # time=%d+%.%dms\n", "\n")
   for _, name in ipairs(names) do
     text = text:gsub(name:gsub("%p", "%%%0"), "FILE")
   end
-  return ok, text
+  return ok, text, none
 end
 
 local function tap_is(expected_ok, expected, ...)
@@ -283,6 +296,65 @@ theorem("bad", function()
   holds(nil, 'a "quoted" \\ thing')
 end)
 theorem("good", function() holds(true) end)]])
+
+-- A failing case of for_each and for_all.
+tap_is(false, [[
+TAP version 13
+not ok 1 - FILE: cases
+  ---
+  failed:
+    - what: "even (3 cases)"
+      cases:
+        - "case 1: {\"a\", 1}"
+        - "2 cases failed: 1, 3"
+      at: "FILE:2"
+    - what: "small (1 case)"
+      cases:
+        - "case 1 of 100, seed 1: {x = 7}"
+        - "shrunk to {x = 5}"
+      at: "FILE:4"
+  ...
+1..1
+]], [[
+theorem("cases", function() for_each({ { "a", 1 }, { "b", 2 }, { "c", 3 } }, function(case)
+  holds(case[2] % 2 == 0, "even") end)
+  for_all({ x = { draw = function() return 7 end, shrink = function(x) return { x - 1 } end } }, function(case)
+    holds(case.x < 5, "small")
+  end)
+end)]])
+
+-- Only theorems with a text in their names: plain, in capitals or not. A file with none of them is not mentioned, but
+-- one that cannot be run is.
+local three = [[
+theorem("Of (a) lemma", function() holds(true) end)
+theorem("other", function() print "not run" end)
+theorem("THE (A) END", function() holds(true) end)]]
+part = "(A)"
+tap_is(true, "TAP version 13\nok 1 - FILE: Of (a) lemma\nok 2 - FILE: THE (A) END\n1..2\n", three, "x = 1",
+  "theorem('none', function() end)")
+tap_is(false, [[
+TAP version 13
+ok 1 - FILE: Of (a) lemma
+ok 2 - FILE: THE (A) END
+not ok 3 - FILE: runs
+  ---
+  problem: "broken"
+  ...
+1..3
+]], three, "error('broken', 0)")
+local passed, _, none = tap(three)
+equal(passed, true)
+equal(none, nil)
+part = "(a"
+passed, _, none = tap("theorem('(b', function() end)")
+equal(passed, false)
+equal(none, '--test: of 1 theorem none has "(a" in its name')
+part = "."
+passed, shown, none = tap(three, three)
+equal(passed, false)
+equal(shown, "TAP version 13\n1..0\n")
+equal(none, '--test: of 6 theorems none has "." in its name')
+part = nil
 
 -- A script without theorems is one test; one that raises is not ok, also after its theorems.
 tap_is(true, "TAP version 13\nok 1 - FILE: runs\n1..1\n", "local x = 1")
@@ -334,8 +406,10 @@ end
 ok, text = tap("theorem('t', function() near(1, 2, 0, 'seen') os.exit(true) end)")
 equal(ok, false)
 contains(text, 'what: "seen"')
-for _, leave in ipairs { "os.exit(1)", "os.exit(false)", "pcall(os.exit, 1)" } do
-  equal(tap(leave), false, leave)
+for status, verdict in pairs { ["1"] = false, ["false"] = false, ["true"] = true } do
+  for _, leave in ipairs { "os.exit(%s)", "pcall(os.exit, %s)", "for_each({ %s }, os.exit)" } do
+    equal(tap(leave:format(status)), verdict, leave:format(status))
+  end
 end
 
 -- An error object that cannot say what it is fails its file, and no other.
