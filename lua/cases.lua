@@ -41,11 +41,6 @@ end
 
 -- Folding -------------------------------------------------------------------------------------------------------------
 
-local function worse(a, b)
-  if a.pass ~= b.pass then return not a.pass end
-  return a.ratio > b.ratio
-end
-
 -- Adds the checks of case i: folded[what] = { worst =, count =, failed = { i, ... }, case = text if the worst failed },
 -- and folded[1], folded[2], ... are the names in the order in which they came.
 local function fold(folded, checks, i, case_text)
@@ -57,7 +52,7 @@ local function fold(folded, checks, i, case_text)
     end
     if line.last ~= i then line.count, line.last = line.count + (check.count or 1), i end
     if not check.pass and line.failed[#line.failed] ~= i then table.insert(line.failed, i) end
-    if check == line.worst or worse(check, line.worst) then
+    if check == line.worst or check.ratio > line.worst.ratio then
       line.worst, line.case = check, not check.pass and case_text() or nil
     end
   end
@@ -83,7 +78,8 @@ end
 -- Where the hypothesis holds too seldom, a check that says so.
 local function add_hypothesis(checks, kept, n)
   if kLeastPart*kept < n then
-    table.insert(checks, { what = ("the hypothesis holds in %d of %d cases"):format(kept, n), pass = false, ratio = 1 })
+    table.insert(checks, { what = ("the hypothesis holds in %d of %d cases"):format(kept, n), pass = false,
+      ratio = math.huge })
   end
 end
 

@@ -170,7 +170,8 @@ function testing.near(predicted, measured, tolerance, what)
   local check = { what = what or "the value", pass = false, note = reason, tolerance = size_text(tolerance) }
   if found then
     check.pass = found.difference <= tolerance
-    check.ratio = found.difference == 0 and 0 or found.difference/tolerance  -- infinite where the tolerance is 0
+    -- More than 1 exactly where the check fails, also rounded: the next double above t is above (1 + 2^-53) t.
+    check.ratio = found.difference == 0 and 0 or found.difference/tolerance
     if check.ratio ~= check.ratio then check.ratio = math.huge end
     check.difference = size_text(found.difference)
     check.values = { exact(predicted), exact(measured) }
