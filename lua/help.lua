@@ -115,7 +115,10 @@ local function about_type(name)
   local function parts(list, between)
     local all = { head }
     for _, group in ipairs(kTypeGroups) do
-      local rows = names.members(name, group[2])
+      -- That a value has a text goes without saying.
+      local rows = names.select(function(row)
+        return row.owner == name and row.kind == group[2] and not row.name:find "^tostring%("
+      end)
       if #rows > 0 then all[#all + 1] = between .. group[1] .. "\n" .. list(rows, group[2] ~= "function") end
     end
     return table.concat(all, "\n")

@@ -83,7 +83,7 @@ Quaternion BodyPointsEquation::quaternion(const Value& r) {
 
 Vector EulerEquation::start(const Rotation& r) const {
   Value e = r.euler_vector();
-  refuse_start(singularity(e), r, distance(e));
+  refuse_start(singularity(e), r, distance_from_full_turns(norm(e)));
   return is_due(e) ? r.canonical().euler_vector() : e;  // what restarting comes to
 }
 
@@ -106,9 +106,12 @@ Vector EulerEquation::body_error(const Value& e, const Value& de) {
 
 Quaternion EulerEquation::quaternion(const Value& e) { return from_euler_vector(e).quaternion(); }
 
-double EulerEquation::distance(const Value& e) { return distance_from_full_turns(norm(e)); }
+double EulerEquation::distance(const Value& e) const {
+  return straight_ ? kInfinity : distance_from_full_turns(norm(e));
+}
 
-double EulerEquation::reach(const Value& e0, const Vector& turn, const Value& e1) {
+double EulerEquation::reach(const Value& e0, const Vector& turn, const Value& e1) const {
+  if (straight_) return 0;
   const double theta = norm(e0);
   if (!same_turn(theta, norm(e1))) return kInfinity;
   return reach_across(theta, across(turn, e0.stableNormalized()));

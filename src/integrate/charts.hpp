@@ -30,8 +30,10 @@ struct BodyPointsEquation : RegularEquation<Matrix> {
 /// g = (theta/2) cot(theta/2), for the Euler vector E = n theta. Singular at |E| = 2 pi k, k >= 1.
 class EulerEquation : public RegularEquation<Vector> {
  public:
-  /// With `restart`, where |E| exceeds 3 pi/2 the run goes on from E (1 - 2 pi/|E|).
-  explicit EulerEquation(bool restart) : restart_(restart) {}
+  /// With `restart`, where |E| exceeds 3 pi/2 the run goes on from E (1 - 2 pi/|E|). With
+  /// `straight` it goes through 2 pi k as if nothing were there, by steps that do not see the
+  /// singularity: how wrong it is then depends on how near their nodes come to it.
+  EulerEquation(bool restart, bool straight) : restart_(restart), straight_(straight) {}
 
   Value start(const Rotation& r) const;
   static Value rate(const Vector& omega, const Value& e);
@@ -39,8 +41,8 @@ class EulerEquation : public RegularEquation<Vector> {
   static Value turning(const Value& e, const Vector& v) { return rate(v, -e); }
   static Quaternion quaternion(const Value& e);
 
-  static double distance(const Value& e);
-  static double reach(const Value& e0, const Vector& turn, const Value& e1);
+  double distance(const Value& e) const;
+  double reach(const Value& e0, const Vector& turn, const Value& e1) const;
   static std::string singularity(const Value& e);
   static double stretch(const Value& e) { return norm(e); }
   bool is_due(const Value& e) const;
@@ -48,6 +50,7 @@ class EulerEquation : public RegularEquation<Vector> {
 
  private:
   bool restart_;
+  bool straight_;
 };
 
 /// [P10] G' = omega/2 + G (omega . G)/2 + omega x G / 2 for the Gibbs vector G = n tan(theta/2),

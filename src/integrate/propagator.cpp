@@ -45,6 +45,8 @@ void check(const Scene& scene) {
   require(generalized || !scene.f, R"(f is for equation = "generalized")");
   require(!scene.restart || generalized || scene.equation == Equation::kEuler,
           R"(restart is for equation = "euler" or "generalized")");
+  require(!scene.ignore_singularity || scene.equation == Equation::kEuler,
+          R"(singularity = "ignore" is for equation = "euler")");
 }
 
 // Whether there is a cheaper model than integrating, and what it is called; "" if not.

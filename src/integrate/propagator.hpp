@@ -53,6 +53,9 @@ struct Scene {
   std::shared_ptr<const GeneralizedAngle> f = nullptr;
   /// Go on from E (1 - 2 pi/|E|), the same operator, where |E| reaches 3 pi/2 (Equation::kEuler).
   bool restart = false;
+  /// Go straight on where |E| comes to 2 pi k and [P7] is singular, which is wrong, and by how much
+  /// is luck: to show that it is (Equation::kEuler).
+  bool ignore_singularity = false;
 };
 
 /// The motion of a scene, and what it took.

@@ -31,7 +31,7 @@ void with_equation(const Scene& scene, const Follow& follow) {
     case Equation::kModifiedGibbs:  // with the cosine that it needs, they are the same
       return follow(QuaternionEquation());
     case Equation::kEuler:
-      return follow(EulerEquation(scene.restart));
+      return follow(EulerEquation(scene.restart, scene.ignore_singularity));
     case Equation::kGibbs:
       return follow(GibbsEquation());
     case Equation::kAxisAngle:

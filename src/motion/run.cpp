@@ -18,56 +18,21 @@ namespace {
 
 constexpr Extended kTwoPi = 2 * std::numbers::pi_v<Extended>;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-double sign_of_turn(double turn) { return std::fmod(turn, 2) == 0 ? 1 : -1; }
-
-// The angle in the interval of `turn`, from cos(theta/2) = m0 and |sin(theta/2)| = m [theory 3],
-// counted from the nearer end of the interval, where it keeps its digits.
-Extended angle_in_turn(double turn, Extended m0, Extended m) {
-  const Extended c = sign_of_turn(turn) * m0;
-  return c >= 0 ? kTwoPi * turn + 2 * std::atan2(m, c)
-                : kTwoPi * (turn + 1) - 2 * std::atan2(m, -c);
-}
-
-// The place of the least `f` between a and b, where it has one minimum (golden section).
-template <class Function>
-double minimise(const Function& f, double a, double b) {
-  constexpr double kGolden = std::numbers::phi - 1;
-  double x1 = b - kGolden * (b - a);
-  double x2 = a + kGolden * (b - a);
-  double f1 = f(x1);
-  double f2 = f(x2);
-  while (x1 != x2 && std::abs(b - a) > kEpsilon * std::abs(a)) {
-    if (f1 < f2) {
-      b = std::exchange(x2, x1);
-      f2 = f1;
-      if ((x1 = b - kGolden * (b - a)) == x2) break;
-      f1 = f(x1);
-    } else {
-      a = std::exchange(x1, x2);
-      f1 = f2;
-      if ((x2 = a + kGolden * (b - a)) == x1) break;
-      f2 = f(x2);
-    }
-  }
-  return f1 < f2 ? x1 : x2;
-}
+const Vector kNone = Vector::Constant(std::numeric_limits<double>::quiet_NaN());
+constexpr double kNearZero = 0.25;  // |M| below which a series about a zero of it may know more
 
 }  // namespace
 
 Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
-         std::vector<Vector> points)
+         std::vector<Vector> points, std::optional<double> crossing_tolerance)
     : omega_(std::move(omega)),
       propagator_(std::move(propagator)),
       from_(from),
       points_(std::move(points)),
       start_(from.quaternion()),
-      axis_(from.axis()) {
-  const double along_axis = start_.vec().dot(axis_);  // sin(theta/2)
-  first_turn_ = along_axis < 0 ? -1 : 0;
-  const Extended psi = angle_in_turn(first_turn_, start_.w(), std::abs(along_axis));
-  double_turns_ = std::nearbyint((from.angle() - psi) / (2 * kTwoPi));
-
+      turn_(turn_of_start(from)),
+      axis_(from.axis()),
+      crossings_(omega_, propagator_, from, turn_, crossing_tolerance) {
   const FixedAxisFlow* flow = propagator_.fixed_axis();
   if (flow == nullptr) return;
   const Vector direction = sense() * flow->direction();
@@ -132,55 +97,35 @@ State Run::operator()(double t, const Observer& observer) const {
     state.angle = from_.angle();
     return state;
   }
-  const std::vector<Crossing>& crossings = found(observer);
-  const auto next = std::partition_point(
-      crossings.begin(), crossings.end(),
-      [&](const Crossing& crossing) { return (t - crossing.t) * forward() > 0; });
-  const double turn = next == crossings.begin() ? first_turn_ : std::prev(next)->turn_after;
-  state.axis = axis_at(t, state.quaternion, turn, crossings);
+  crossings_.look_until(t, observer);
+  const double turn = crossings_.turn_at(t);
+  state.axis = axis_at(t, state.quaternion, turn);
   state.angle = static_cast<double>(
-      double_turns_ * 2 * kTwoPi +
+      turn_.double_turns * 2 * kTwoPi +
       angle_in_turn(turn, state.quaternion.w(), Extended{norm(state.quaternion.vec())}));
   return state;
 }
 
-Vector Run::axis_at(double t, const Quaternion& q, double turn,
-                    const std::vector<Crossing>& crossings) const {
-  const Vector m = q.vec();
-  const double size = norm(m);
-  if (size <= propagator_.error_estimate && !crossings.empty()) {
-    // Beside a zero of M its direction is lost in the error; the limit there is known.
-    const auto nearest =
-        std::min_element(crossings.begin(), crossings.end(),
-                         [t](auto& a, auto& b) { return std::abs(a.t - t) < std::abs(b.t - t); });
-    // The start may be such a zero too: its M is as good as its distance in time.
-    if (std::abs(nearest->t - t) <= std::abs(t0() - t)) return nearest->axis;
-  }
-  if (size != 0) return (unit(m) * sign_of_turn(turn)).array() + 0.0;  // no -0
-  // At the identity n goes on along omega; where that says nothing, the axis given stays.
-  const Vector direction = forward() * direction_of_omega(t);
-  return direction.isZero(0) ? axis_ : direction;
+// The series about the zero of M nearest to t, where its error is less than that of M; null where
+// it is not.
+const Zero* Run::better_known(double t, double error, double AxisSeries::Error::*of) const {
+  const Zero* const zero = crossings_.zero_near(t);
+  if (zero == nullptr || !zero->series) return nullptr;
+  return zero->series->error(t - zero->t).*of < error ? zero : nullptr;
 }
 
-// Zero where omega is zero or cannot be had: asking for a state must not fail on it.
-Vector Run::direction_of_omega(double t) const {
-  try {
-    const Vector at_t = omega(t);
-    return at_t.isZero(0) ? at_t : unit(at_t);
-  } catch (const std::exception&) {
-    return Vector::Zero();
+// n = +-M/|M|: its error is that of M over |M|.
+Vector Run::axis_at(double t, const Quaternion& q, double turn) const {
+  const double size = norm(q.vec());
+  if (size < kNearZero) {
+    const double error = propagator_.error_estimate / 2 / size;
+    if (const Zero* zero = better_known(t, error, &AxisSeries::Error::axis)) {
+      return zero->axis(t).axis;
+    }
+    if (const Zero* zero = crossings_.zero_at(t)) return zero->limit;
   }
-}
-
-// The limit of n at a zero of M, from n beside it and omega there: where omega is not zero (i = 0),
-// it is along omega [Lemma 5.3].
-Vector Run::limit_of_axis(double t, const Vector& before, const Vector& after,
-                          double turn_after) const {
-  const Vector between = before + after;
-  const Vector along = (forward() * sign_of_turn(turn_after) * (quaternion(t).w() > 0 ? 1 : -1)) *
-                       direction_of_omega(t);
-  if (along.dot(between) > 0.9 * between.norm() || between.isZero(0)) return along;
-  return unit(between);
+  if (size == 0) return axis_;                                // the body has not moved
+  return (unit(q.vec()) * sign_of_turn(turn)).array() + 0.0;  // no -0
 }
 
 Vector State::mrp() const {
@@ -189,15 +134,27 @@ Vector State::mrp() const {
   return w > -0.5 ? Vector(m / (1 + w)) : Vector(m * ((1 - w) / m.squaredNorm()));
 }
 
+// [P5]: an error of M is divided by |M|, and multiplied by cot(theta/2). Where M is no more than a
+// few errors, omega beside a zero of higher order may be zero where M is not.
+Vector Run::axis_rate_at(const State& state, const Vector& omega) const {
+  const double sine = state.quaternion.vec().dot(state.axis);
+  const double size = std::abs(sine);
+  if (size < kNearZero) {
+    const double error_of_m = propagator_.error_estimate / 2;
+    const double error = size < 32 * error_of_m ? std::numeric_limits<double>::infinity()
+                                                : norm(omega) * error_of_m / (2 * size * size);
+    if (const Zero* zero = better_known(state.t, error, &AxisSeries::Error::rate)) {
+      return zero->axis(state.t).rate;
+    }
+  }
+  return sine == 0 ? kNone : axis_rate(state.axis, Extended{state.quaternion.w()} / sine, omega);
+}
+
 Rates Run::rates(const State& state, const Vector& omega) const {
   const Vector& n = state.axis;
   const double along = omega.dot(n);
-  const double sine = state.quaternion.vec().dot(n);
-  Rates rates{along, Vector::Zero(), Vector::Zero()};
-  if (fixed_axis_ == 0) {
-    rates.axis_rate = sine == 0 ? Vector::Constant(std::numeric_limits<double>::quiet_NaN())
-                                : axis_rate(n, Extended{state.quaternion.w()} / sine, omega);
-  }
+  Rates rates{omega.isZero(0) ? 0 : along, Vector::Zero(), Vector::Zero()};
+  if (fixed_axis_ == 0) rates.axis_rate = axis_rate_at(state, omega);
   const Vector e = state.euler_vector();
   if (std::abs(state.angle) < 3) {
     // [P7] with its first two terms gathered: omega g + E (omega . E)(1 - g)/theta^2 + omega x E/2.
@@ -212,19 +169,25 @@ Rates Run::rates(const State& state, const Vector& omega) const {
 
 std::vector<Crossing> Run::crossings(const Observer& observer) const {
   const auto* fixed = dynamic_cast<const UniformTurn*>(propagator_.fixed_axis());
-  if (fixed_axis_ == 0 || fixed == nullptr) {
-    std::vector<Crossing> result = found(observer);
-    const auto turns = static_cast<double>(2 * double_turns_);
-    for (Crossing& crossing : result) {
-      crossing.turn_before += turns;
-      crossing.turn_after += turns;
-    }
-    return result;
+  if (fixed_axis_ != 0 && fixed != nullptr) return uniform_crossings(*fixed);
+  crossings_.look_until(t1(), observer);
+  std::vector<Crossing> result = crossings_.list();
+  const auto turns = static_cast<double>(2 * turn_.double_turns);
+  for (Crossing& crossing : result) {
+    crossing.turn_before += turns;
+    crossing.turn_after += turns;
+    crossing.multiple += turns;
+    if (fixed_axis_ == 0) continue;
+    crossing.axis = axis_;
+    crossing.axis_rate = Vector::Zero();
   }
-  std::vector<Crossing> result;
-  if (fixed->rate() == 0) return result;
+  return result;
+}
 
-  // theta passes through every multiple of 2 pi between its ends.
+// theta passes through every multiple of 2 pi between its ends.
+std::vector<Crossing> Run::uniform_crossings(const UniformTurn& flow) const {
+  std::vector<Crossing> result;
+  if (flow.rate() == 0) return result;
   const Extended begin = fixed_axis_angle(t0()) / kTwoPi;
   const Extended end = fixed_axis_angle(t1()) / kTwoPi;
   if (std::abs(end - begin) > 1e6L) {
@@ -233,97 +196,39 @@ std::vector<Crossing> Run::crossings(const Observer& observer) const {
                             " of them, more than a million: too many to list");
   }
   const double up = end > begin ? 1 : -1;
+  const Extended rate = fixed_axis_ * flow.rate();
   for (Extended k = up > 0 ? std::floor(begin) + 1 : std::ceil(begin) - 1; (end - k) * up > 0;
        k += up) {
     const auto turn = static_cast<double>(k);
-    const double t =
-        static_cast<double>(t0() + (kTwoPi * k - from_.angle()) / (fixed_axis_ * fixed->rate()));
-    result.push_back({t, true, up > 0 ? turn - 1 : turn, up > 0 ? turn : turn - 1, axis_});
+    Crossing crossing;
+    crossing.t = static_cast<double>(t0() + (kTwoPi * k - from_.angle()) / rate);
+    crossing.t_error = propagator_.error_estimate / std::abs(static_cast<double>(rate)) +
+                       kEpsilon * std::abs(crossing.t);
+    crossing.kind = Passage::kThrough;
+    crossing.multiple = turn;
+    crossing.turn_before = up > 0 ? turn - 1 : turn;
+    crossing.turn_after = up > 0 ? turn : turn - 1;
+    crossing.order = 0;
+    crossing.derivative = omega_(crossing.t);
+    crossing.by_jets = true;
+    crossing.axis = axis_;
+    crossing.axis_rate = Vector::Zero();
+    result.push_back(crossing);
   }
   return result;
 }
 
-// Between its ends t[0] and t[2], |M| is least at t[1]: is it zero there, to the accuracy of the
-// run?
-bool Run::is_zero_of_m(const double (&t)[3], const double (&m)[3]) const {
-  // The error of M is half that of the rotation, twice over for an estimate that is a little too
-  // small; and t is only known to an ulp, in which |M| changes at its rate.
-  const double rate = (m[0] + m[2]) / std::abs(t[2] - t[0]);
-  return m[1] <= propagator_.error_estimate + 2 * kEpsilon * std::abs(t[1]) * rate;
-}
-
-const std::vector<Crossing>& Run::found(const Observer& observer) const {
-  if (!found_) found_ = may_cross() ? find_crossings(observer) : std::vector<Crossing>();
-  return *found_;
-}
-
-// M = 0 is where U q0, or q0 U*, is plus or minus 1. What is_zero_of_m takes for zero lies within
-// the distance, which allows for the error of the run and of the motion's own bound.
-bool Run::may_cross() const {
-  const Quaternion target = propagator_.frame == Frame::kSpace ? start_.conjugate() : start_;
-  return propagator_.flow->can_reach(target, 1e-6 + 2 * propagator_.error_estimate);
-}
-
-std::vector<Crossing> Run::find_crossings(const Observer& observer) const {
-  std::vector<Crossing> found;
-  std::vector<double> mesh;
-  try {
-    mesh = propagator_.flow->mesh();
-  } catch (const std::length_error& error) {
-    throw std::length_error(std::string(error.what()) +
-                            " for crossings, without which axis and angle are not known; the "
-                            "quaternion and the matrix are");
+std::vector<std::string> Run::notes(const Observer& observer) const {
+  std::vector<std::string> result;
+  const std::vector<Crossing> list = crossings(observer);
+  if (fixed_axis_ == 0 && !crossings_.note_of_start().empty()) {
+    result.push_back(crossings_.note_of_start());
   }
-  const auto m = [this](double t) -> Vector { return quaternion(t).vec(); };
-  // Sample times: the mesh, eight times finer, so that less than a radian lies between two.
-  std::vector<std::pair<double, double>> samples;  // t, |M|
-  samples.reserve(8 * mesh.size());
-  samples.emplace_back(mesh.front(), m(mesh.front()).norm());
-  // A run that was stopped keeps what was done: the observer has had its say.
-  const bool watched = observer && !propagator_.stop;
-  for (std::size_t i = 1; i < mesh.size(); ++i) {
-    if (watched && !observer(mesh[i])) throw Interrupted();
-    for (int part = 1; part <= 8; ++part) {
-      const double t = part == 8 ? mesh[i] : mesh[i - 1] + (mesh[i] - mesh[i - 1]) * (part / 8.0);
-      if (t != samples.back().first) samples.emplace_back(t, m(t).norm());
-    }
+  for (const Crossing& crossing : list) {
+    if (!crossing.note.empty())
+      result.push_back("at t = " + text(crossing.t) + ": " + crossing.note);
   }
-
-  double turn = first_turn_;
-  const auto look_between = [&](double ta, double tb) {
-    const Vector a = m(ta);
-    const Vector b = m(tb);
-    const double t = minimise([&](double s) { return m(s).norm(); }, ta, tb);
-    if (!is_zero_of_m({ta, t, tb}, {a.norm(), m(t).norm(), b.norm()})) return;
-    // A body at rest there passes through nothing; the ends of a run may well lie that near.
-    const bool inside = ta != samples.front().first && tb != samples.back().first;
-    if (inside && std::min(a.norm(), b.norm()) <= propagator_.error_estimate) return;
-    // M itself tells the case [theory 3]: it went through the origin, or turned back.
-    const bool through = a.dot(b) < 0;
-    const double step = !through ? 0 : sign_of_turn(turn) * quaternion(t).w() < 0 ? 1 : -1;
-    const Vector axis = limit_of_axis(t, sign_of_turn(turn) * a.normalized(),
-                                      sign_of_turn(turn + step) * b.normalized(), turn + step);
-    found.push_back({t, through, turn, turn + step, axis});
-    turn += step;
-  };
-  const std::size_t last = samples.size() - 1;
-  for (std::size_t i = 0; i <= last && last > 0; ++i) {
-    if (watched && !observer(samples[i].first)) throw Interrupted();
-    const auto [t, size] = samples[i];
-    if (i > 0 && i < last) {
-      if (size <= samples[i - 1].second && size < samples[i + 1].second) {
-        look_between(samples[i - 1].first, samples[i + 1].first);
-      }
-    } else {
-      // A zero beside an end of the run: |M| is least at the end sample itself, and M has turned
-      // round.
-      const auto& [t_beside, size_beside] = samples[i == 0 ? 1 : last - 1];
-      if (size <= size_beside && m(t).dot(m(t_beside)) < 0) {
-        i == 0 ? look_between(t, t_beside) : look_between(t_beside, t);
-      }
-    }
-  }
-  return found;
+  return result;
 }
 
 void visit_times(std::span<const double> times, const Observer& observer,
@@ -335,8 +240,9 @@ void visit_times(std::span<const double> times, const Observer& observer,
 }
 
 Run evolve(const Scene& scene, const Rotation& from, const Observer& observer,
-           std::vector<Vector> points) {
-  return {scene.omega, propagate(scene, observer, from), from, std::move(points)};
+           std::vector<Vector> points, std::optional<double> crossing_tolerance) {
+  return {scene.omega, propagate(scene, observer, from), from, std::move(points),
+          crossing_tolerance};
 }
 
 }  // namespace rotor

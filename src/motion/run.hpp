@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "integrate/propagator.hpp"
+#include "motion/crossings.hpp"
+#include "motion/turns.hpp"
 #include "rotation/rotation.hpp"
 #include "spin/angular_velocity.hpp"
 
@@ -22,9 +24,10 @@ struct State {
 
   /// The angle of a rotation is rounded to a double: after many turns that, not the run, is what
   /// limits it as an operator. The faces below come from the quaternion.
-  Rotation rotation() const { return {axis, angle}; }
-  /// E = axis * angle.
-  Vector euler_vector() const { return axis * angle; }
+  /// Where the axis has no limit the angle is a multiple of 2 pi, and any axis will do.
+  Rotation rotation() const { return {axis.hasNaN() ? Vector(Vector::UnitX()) : axis, angle}; }
+  /// E = axis * angle; 0 where the angle is, though the axis may have no limit there.
+  Vector euler_vector() const { return angle == 0 ? Vector(Vector::Zero()) : axis * angle; }
   Matrix matrix() const { return quaternion.toRotationMatrix(); }
   /// M = n sin(theta/2).
   Vector modified_gibbs() const { return quaternion.vec(); }
@@ -41,24 +44,17 @@ struct Rates {
   Vector euler_rate;  // [P7]
 };
 
-/// A passage of the axis and angle through theta = 2 pi k, where M = n sin(theta/2) is zero.
-struct Crossing {
-  double t;
-  bool through;        // into the neighbouring interval; else theta turned back
-  double turn_before;  // the integer l with 2 pi l <= theta <= 2 pi (l + 1)
-  double turn_after;
-  Vector axis;  // the limit of n there
-};
-
 /// A motion: propagator and start.
 ///
-/// Axis and angle need the crossings before them: these are looked for when axis, angle or
-/// crossings are first asked for, not before. The quaternion needs none of it.
+/// Axis and angle need the crossings before them: these are looked for when axis or angle are asked
+/// for, as far as the time asked. The quaternion needs none of it.
 class Run {
  public:
-  /// `points` are bodies' points, by their places at the start.
+  /// `points` are bodies' points, by their places at the start. `crossing_tolerance`: how near to
+  /// 2 pi k, in rad, theta comes where it is a crossing; twice the error estimate unless it is
+  /// given. Throws std::invalid_argument unless it is positive.
   Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
-      std::vector<Vector> points = {});
+      std::vector<Vector> points = {}, std::optional<double> crossing_tolerance = std::nullopt);
 
   double t0() const { return propagator_.t0; }
   double t1() const { return propagator_.t1; }
@@ -69,6 +65,9 @@ class Run {
   /// In the order of the motion. About a fixed axis at a constant rate they are made on demand;
   /// throws std::length_error where there are more than a million.
   std::vector<Crossing> crossings(const Observer& observer = {}) const;
+  double crossing_tolerance() const { return crossings_.tolerance(); }
+  /// What is to be said of the crossings and of the axis at the start.
+  std::vector<std::string> notes(const Observer& observer = {}) const;
 
   /// A state whose axis and angle are not looked for, but NaN; throws std::out_of_range outside
   /// [t0, t1].
@@ -76,8 +75,8 @@ class Run {
   /// The state at t; throws std::out_of_range outside [t0, t1], std::length_error where the motion
   /// is too long to be searched for crossings, Interrupted where the observer says no meanwhile.
   State operator()(double t, const Observer& observer = {}) const;
-  /// How the state moves, given omega at its t, in the space frame. Where M is exactly zero the
-  /// axis rate depends on the derivatives of omega: NaN, except about a fixed axis.
+  /// How the state moves, given omega at its t, in the space frame. Where M is zero the axis rate
+  /// is that of Lemma 5.3; NaN where the axis has no limit.
   Rates rates(const State& state, const Vector& omega) const;
   /// omega at t in the space frame: a call of the script's function where it is one.
   Vector omega(double t) const;
@@ -86,7 +85,9 @@ class Run {
   /// Where the points are at t [P1].
   std::vector<Vector> points(double t) const;
   /// The same motion from another start: nothing is integrated.
-  Run with_start(const Rotation& from) const { return {omega_, propagator_, from, points_}; }
+  Run with_start(const Rotation& from) const {
+    return {omega_, propagator_, from, points_, crossings_.given_tolerance()};
+  }
 
  private:
   Quaternion quaternion(double t) const;
@@ -95,30 +96,21 @@ class Run {
   double sense() const { return propagator_.frame == Frame::kSpace ? 1 : -1; }
   // The angle about the fixed axis of the start, for a motion that has one; in extended precision.
   Extended fixed_axis_angle(double t) const;
-  const std::vector<Crossing>& found(const Observer& observer) const;
-  bool may_cross() const;
-  std::vector<Crossing> find_crossings(const Observer& observer) const;
-  bool is_zero_of_m(const double (&t)[3], const double (&m)[3]) const;
-  Vector axis_at(double t, const Quaternion& q, double turn,
-                 const std::vector<Crossing>& crossings) const;
-  Vector limit_of_axis(double t, const Vector& before, const Vector& after,
-                       double turn_after) const;
-  Vector direction_of_omega(double t) const;
+  std::vector<Crossing> uniform_crossings(const UniformTurn& flow) const;
+  const Zero* better_known(double t, double error, double AxisSeries::Error::*of) const;
+  Vector axis_at(double t, const Quaternion& q, double turn) const;
+  Vector axis_rate_at(const State& state, const Vector& omega) const;
 
   AngularVelocity omega_;
   Propagator propagator_;
   Rotation from_;
   std::vector<Vector> points_;
   Quaternion start_;
-  // theta = 4 pi double_turns_ + psi, where psi in (-2 pi, 2 pi) at the start and its interval
-  // 2 pi l <= psi <= 2 pi (l + 1) has l = first_turn_, changed by found_ (whose turns are those of
-  // psi).
-  Extended double_turns_ = 0;
-  double first_turn_ = 0;
+  StartTurn turn_;  // the turns of crossings_ are those of its psi
   // +1 or -1: a turn about plus or minus the axis of the start; 0: no such thing.
   double fixed_axis_ = 0;
   Vector axis_;  // the axis of the start; about a fixed axis, of the whole motion
-  mutable std::optional<std::vector<Crossing>> found_;
+  mutable Crossings crossings_;
 };
 
 /// Calls `visit` with each of the times; stops by throwing Interrupted where the observer says so.
@@ -127,6 +119,7 @@ void visit_times(std::span<const double> times, const Observer& observer,
 
 /// Runs the scene from `from` to its end, or to where it stopped (propagator().stop).
 Run evolve(const Scene& scene, const Rotation& from, const Observer& observer = {},
-           std::vector<Vector> points = {});
+           std::vector<Vector> points = {},
+           std::optional<double> crossing_tolerance = std::nullopt);
 
 }  // namespace rotor

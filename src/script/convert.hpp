@@ -62,6 +62,7 @@ template <> struct UserType<Quaternion> { static constexpr const char* kName = "
 template <> struct UserType<Chain>      { static constexpr const char* kName = "chain"; };
 template <> struct UserType<SharedRun>  { static constexpr const char* kName = "run"; };
 template <> struct UserType<RunState>   { static constexpr const char* kName = "state"; };
+template <> struct UserType<Crossing>   { static constexpr const char* kName = "crossing"; };
 template <> struct UserType<Cost>       { static constexpr const char* kName = "cost"; };
 template <> struct UserType<Certificate> { static constexpr const char* kName = "certificate"; };
 template <> struct UserType<RigidFit>   { static constexpr const char* kName = "rigid_fit"; };
@@ -187,6 +188,9 @@ struct Convert<std::optional<T>> {
   static std::optional<T> get(lua_State* L, int index) {
     if (lua_isnoneornil(L, index)) return std::nullopt;
     return Convert<T>::get(L, index);
+  }
+  static void push(lua_State* L, const std::optional<T>& value) {
+    value ? Convert<T>::push(L, *value) : lua_pushnil(L);
   }
 };
 

@@ -53,6 +53,7 @@ void set_equation(lua_State* L, const Options& options, Scene& scene) {
       options.word("equation", {"quaternion", "euler", "modified_gibbs", "gibbs", "axis_angle",
                                 "body_points", "generalized"}));
   scene.restart = options.get<bool>("restart").value_or(false);
+  scene.ignore_singularity = options.word("singularity", {"stop", "ignore"}) == 1;
   const bool generalized = scene.equation == Equation::kGeneralized;
   if (generalized != options.has("f")) {
     throw std::invalid_argument(generalized
@@ -143,8 +144,9 @@ SharedRun evolve_options(lua_State* L) {
   const Scene scene = scene_of(L, options);
   const Rotation from = options.get<Rotation>("from").value_or(Rotation());
   auto points = options.get<std::vector<Vector>>("points").value_or(std::vector<Vector>());
-  const auto run = std::make_shared<const Run>(
-      evolve(scene, from, watching(scene.t0, scene.t1), std::move(points)));
+  const auto run = std::make_shared<const Run>(evolve(scene, from, watching(scene.t0, scene.t1),
+                                                      std::move(points),
+                                                      options.get<double>("crossing_tolerance")));
   if (!run->complete()) raise_stop(L, run, scene);
   return run;
 }

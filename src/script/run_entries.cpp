@@ -103,24 +103,15 @@ Results crossings(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   if (lua_getiuservalue(L, 1, 1) == LUA_TTABLE) return {1};
   const std::vector<Crossing> list = run->crossings(watching(run->t0(), run->t1()));
-  lua_createtable(L, static_cast<int>(list.size()), 0);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    lua_createtable(L, 0, 5);
-    lua_pushnumber(L, list[i].t);
-    lua_setfield(L, -2, "t");
-    lua_pushstring(L, list[i].through ? "through" : "back");
-    lua_setfield(L, -2, "kind");
-    Convert<Vector>::push(L, list[i].axis);
-    lua_setfield(L, -2, "axis");
-    lua_pushnumber(L, list[i].turn_before);
-    lua_setfield(L, -2, "turn_before");
-    lua_pushnumber(L, list[i].turn_after);
-    lua_setfield(L, -2, "turn_after");
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  Convert<std::vector<Crossing>>::push(L, list);
   lua_pushvalue(L, -1);
   lua_setiuservalue(L, 1, 1);
   return {1};
+}
+
+double crossing_tolerance(const SharedRun& run) { return run->crossing_tolerance(); }
+std::vector<std::string> notes(const SharedRun& run) {
+  return run->notes(watching(run->t0(), run->t1()));
 }
 
 SharedRun from(const SharedRun& run, const Rotation& start) {
@@ -161,6 +152,10 @@ Vector state_axis_rate(const RunState& s) { return rates_of(s).axis_rate; }
 Vector state_euler_rate(const RunState& s) { return rates_of(s).euler_rate; }
 std::string text_of_state(const RunState& s) {
   const State& state = full(s);
+  if (state.axis.hasNaN()) {
+    return "state  t " + shown(state.t) + "\n       angle " + shown(state.angle) +
+           " rad  no axis (run.notes says why)";
+  }
   return "state  t " + shown(state.t) + "\n       " + shown_axis_angle(state.axis, state.angle, 7);
 }
 
@@ -178,22 +173,21 @@ std::string text_of_cost(const Cost& c) {
 constexpr Entry kFunctions[] = {
     {"evolve", bound<evolve_entry>, kEvolve,
      "Follows a body that turns with the angular velocity omega, in radians per unit of t: a "
-     "vector (constant), a function of t alone that returns three numbers (fast), a table or "
-     "a vec, a spline, or a model of the module spin; in the space frame, or by "
-     "spin.body(omega) in the body frame. from: the rotation at the start (default "
-     "identity). to: the end, from t = 0; or t = {t0, t1}, backward too. accuracy: bound on "
-     "the rotation error over the whole run, rad (default 1e-10). method: \"auto\" (default: "
-     "the cheapest faithful one), \"exact\" (models with a closed form), \"fgl\" (Fer "
-     "factors on Gauss-Legendre nodes), \"dop853\" (Runge-Kutta of order 8), \"rk4\" with "
-     "step. breaks: times at which omega jumps. max_step (default a 10th to a 32nd of the way): "
-     "what omega does between its 15 to 64 samples a step is not seen. max_steps: "
-     "at most, default a million. equation: \"quaternion\" (default), or by rk4 and dop853 "
+     "vector (constant), a function of t alone that returns three numbers (fast) or a "
+     "table, a spline, or a model of spin; in the space frame, or by spin.body(omega) in the "
+     "body frame. from: the rotation at the start (default identity). to: the end, from t = 0; or "
+     "t = {t0, t1}, backward too. accuracy: bound on the rotation error of the whole run, rad "
+     "(default 1e-10). method: \"auto\" (the cheapest faithful), \"exact\" (closed "
+     "forms), \"fgl\" (Fer factors on Gauss-Legendre nodes), \"dop853\" (Runge-Kutta "
+     "of order 8), \"rk4\" with step. breaks: times at which omega jumps. max_step (default a 10th "
+     "to a 32nd of the way): what omega does between its 15 to 64 samples a step is not seen. "
+     "max_steps: default a million. equation: \"quaternion\" (default), or by rk4 and dop853 "
      "\"euler\" [P7], \"modified_gibbs\" [P8], \"gibbs\" [P10], \"axis_angle\" [P5], "
      "\"body_points\" [P1], \"generalized\" [P4] with f, an odd function of the angle: those "
-     "stop where they are singular; restart = true goes on (\"euler\", \"generalized\") from "
-     "E (1 - 2 pi/|E|), the same operator. points: of the body at the start, for "
-     "state.points. A run that stops early raises an error object with .reason, .t and .run, "
-     "the run up to there.",
+     "stop where they are singular; restart = true (\"euler\", \"generalized\") goes on from "
+     "E (1 - 2 pi/|E|), the same operator; singularity = \"ignore\" (\"euler\") straight on, which "
+     "is wrong. points: see state; crossing_tolerance: see run. A run that stops early "
+     "raises an error with .reason, .t and .run.",
      ROTOR_RUN "(7).angle --> 7.0"},
 };
 
@@ -249,10 +243,19 @@ constexpr Entry kFields[] = {
      "What the integration took: .omega_calls .steps .rejected .seconds.",
      ROTOR_RUN ".cost.steps --> 0"},
     {"crossings", bound<crossings>, "run.crossings -> table",
-     "Where the angle passes a multiple of 2 pi: a list of {t, kind = \"through\" or \"back\", "
-     "turn_before, "
-     "turn_after}; in turn l the angle is between 2 pi l and 2 pi (l + 1).",
+     "Where the angle comes to a multiple of 2 pi, and how it goes on: a list. Looked for when it, "
+     "or an axis or angle, is first asked for.",
      "#" ROTOR_RUN ".crossings --> 1"},
+    {"crossing_tolerance", bound<crossing_tolerance>, "run.crossing_tolerance -> number",
+     "How near to 2 pi k, rad, the angle comes where it is a crossing; from four times that on (or "
+     "four times the error) it is a near miss, between them undecided. Twice the error estimate, "
+     "or as given to evolve.",
+     ROTOR_RUN ".crossing_tolerance < 1e-13 --> true"},
+    {"notes", bound<notes>, "run.notes -> table",
+     "What is to be said of the axis at the start and of the crossings: where it has no limit and "
+     "why, what is undecided, where the motion and the derivatives of omega disagree. Mostly "
+     "empty.",
+     "#" ROTOR_RUN ".notes --> 0"},
 };
 
 constexpr Entry kOperators[] = {
@@ -273,7 +276,8 @@ constexpr Entry kStateFields[] = {
     {"t", bound<state_t>, "state.t -> number", "The time.", ROTOR_STATE ".t --> 7.0"},
     {"angle", bound<state_angle>, "state.angle -> number",
      "Rotation angle theta, rad, continuous: turns are counted.", ROTOR_STATE ".angle --> 7.0"},
-    {"axis", bound<state_axis>, "state.axis -> vec", "Unit axis n, continuous.",
+    {"axis", bound<state_axis>, "state.axis -> vec",
+     "Unit axis n, continuous; nan where it has no limit (run.notes says why).",
      ROTOR_STATE ".axis --> vec(0.0, 0.0, 1.0)"},
     {"euler_vector", bound<state_euler_vector>, "state.euler_vector -> vec",
      "E = n theta, continuous.", ROTOR_STATE ".euler_vector --> vec(0.0, 0.0, 7.0)"},
@@ -299,7 +303,7 @@ constexpr Entry kStateFields[] = {
     {"angle_rate", bound<state_angle_rate>, "state.angle_rate -> number", "omega . n [P5].",
      ROTOR_STATE ".angle_rate --> 1.0"},
     {"axis_rate", bound<state_axis_rate>, "state.axis_rate -> vec",
-     "dn/dt [P5]; nan where the angle is a multiple of 2 pi, unless the axis is fixed.",
+     "dn/dt [P5], at a multiple of 2 pi by Lemma 5.3; nan where the axis has no limit.",
      ROTOR_STATE ".axis_rate --> vec(0.0, 0.0, 0.0)"},
     {"euler_rate", bound<state_euler_rate>, "state.euler_rate -> vec", "dE/dt [P7].",
      ROTOR_STATE ".euler_rate --> vec(0.0, 0.0, 1.0)"},

@@ -167,7 +167,7 @@ void for_each_chart(const F& f) {
     Matrix stretch = Matrix::Identity();
     for (int j = 0; j < 3; ++j) stretch(j, j) += 1e-4 * random();
     f(BodyPointsEquation(), Matrix(r.matrix() * stretch), r);
-    f(EulerEquation(false), Vector(n * theta), r);
+    f(EulerEquation(false, false), Vector(n * theta), r);
     f(GibbsEquation(), r.gibbs(), r);
     f(AxisAngleEquation(), Vector4d(off * n.x(), off * n.y(), off * n.z(), theta), r);
     const double value = theta + theta * theta * theta / 10;
@@ -254,16 +254,16 @@ TEST_CASE("a restart is the same operator, on the branch around 0") {
   };
   const Vector n(2.0 / 3, -1.0 / 3, 2.0 / 3);
   // The paper: at 3 pi/2 from -E/3.
-  CHECK((same(EulerEquation(true), n * 1.5 * kPi) + n * kPi / 2).norm() < 1e-15);
+  CHECK((same(EulerEquation(true, false), n * 1.5 * kPi) + n * kPi / 2).norm() < 1e-15);
   const double theta = cubic_angle()->inverse(13);
   CHECK((same(GeneralizedEquation(cubic_angle(), true), n * 13) +
          n * (*cubic_angle())(2 * kPi - theta).f)
             .norm() < 1e-14);
-  CHECK(EulerEquation(true).is_due(n * 4.72));
-  CHECK(!EulerEquation(true).is_due(n * 4.71));
-  CHECK(!EulerEquation(false).is_due(n * 4.72));
+  CHECK(EulerEquation(true, false).is_due(n * 4.72));
+  CHECK(!EulerEquation(true, false).is_due(n * 4.71));
+  CHECK(!EulerEquation(false, false).is_due(n * 4.72));
   for (const double angle : {4.8, 7.0, 15.0, -7.0, 100.0}) {
-    const Vector start = EulerEquation(true).start(Rotation(n, angle));
+    const Vector start = EulerEquation(true, false).start(Rotation(n, angle));
     CAPTURE(angle);
     CHECK(start.norm() <= 1.5 * kPi);
     CHECK(distance(from_euler_vector(start), Rotation(n, angle)) < 1e-13);
@@ -274,11 +274,12 @@ TEST_CASE("a start where the equation is singular is refused, with the angle and
   const Vector n(0, 0.6, 0.8);
   for (const double k : {1.0, -1.0, 2.0, 5.0}) {
     const Rotation turns(n, 2 * kPi * k);
-    refused([&] { EulerEquation(false).start(turns); }, {"\"euler\"",
-                                                         k == 5   ? "10 pi"
-                                                         : k == 2 ? "4 pi"
-                                                                  : "2 pi",
-                                                         "restart = true", text(turns.angle())});
+    refused([&] { EulerEquation(false, false).start(turns); },
+            {"\"euler\"",
+             k == 5   ? "10 pi"
+             : k == 2 ? "4 pi"
+                      : "2 pi",
+             "restart = true", text(turns.angle())});
     refused([&] { AxisAngleEquation::start(turns); }, {"\"axis_angle\"", "quaternion"});
     refused([&] { GeneralizedEquation(cubic_angle(), true).start(turns); }, {"\"generalized\""});
   }
@@ -286,8 +287,9 @@ TEST_CASE("a start where the equation is singular is refused, with the angle and
   refused([&] { GeneralizedEquation(half_sine_angle(), false).start(Rotation(n, 3.2)); },
           {"3.14159", "domain of f ends", "3.2"});
   CHECK(refusal([&] { AxisAngleEquation::start(Rotation(n, 1e-300)); }) == "(accepted)");
-  CHECK(refusal([&] { EulerEquation(false).start(Rotation(n, std::nextafter(6.2831, 7))); }) ==
-        "(accepted)");
+  CHECK(refusal([&] {
+          EulerEquation(false, false).start(Rotation(n, std::nextafter(6.2831, 7)));
+        }) == "(accepted)");
   refused([&] { GibbsEquation::start(Rotation(n, kPi)); }, {"\"gibbs\"", "theta = pi"});
   CHECK(GibbsEquation::start(Rotation(n, 3.1415926)).norm() > 1e7);
 }

@@ -39,7 +39,7 @@ TEST_CASE("Figure 6 of the paper: E(1) of omega = i + t j, and its reverse throu
   const std::vector<Crossing> crossings = run.crossings();
   REQUIRE(crossings.size() == 1);
   CHECK(crossings[0].t == Approx(1).margin(1e-11));  // |omega| = 1 there
-  CHECK(crossings[0].through);
+  CHECK(crossings[0].kind == Passage::kThrough);
   CHECK(crossings[0].turn_before == 0);
   CHECK(crossings[0].turn_after == 1);
   CHECK(run(2).angle == Approx(7.400580).margin(5.1e-7));
@@ -85,7 +85,7 @@ TEST_CASE("a zero of omega of odd order turns the angle back") {
       const Run run = through_identity(omega, turns, 3, accuracy);
       const std::vector<Crossing> crossings = run.crossings();
       REQUIRE(crossings.size() == 1);
-      CHECK(!crossings[0].through);
+      CHECK(crossings[0].kind == Passage::kBack);
       // At 0 the angle is 2 pi turns + 0.6 about its axis: in the interval `turns`.
       CHECK(crossings[0].turn_before == turns);
       CHECK(crossings[0].turn_after == turns);
@@ -111,7 +111,7 @@ TEST_CASE("a zero of omega of even order goes through") {
   const Run run = through_identity(omega, 1, 3, 1e-10);
   const std::vector<Crossing> crossings = run.crossings();
   REQUIRE(crossings.size() == 1);
-  CHECK(crossings[0].through);
+  CHECK(crossings[0].kind == Passage::kThrough);
   CHECK(crossings[0].turn_after - crossings[0].turn_before == -1);  // axis near -k: downward
   CHECK(std::abs(crossings[0].t - 1) <= std::cbrt(6 * rotation_tolerance(run, 0)));
   CHECK(run(3).angle < 2 * kPi);

@@ -1,0 +1,404 @@
+#include "motion/crossings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "rotation/text.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+const Vector kNone = Vector::Constant(std::numeric_limits<double>::quiet_NaN());
+// Samples in an interval of the mesh, and again in one of these where |M| is as small as that: then
+// M turns by less than 0.1 between two.
+constexpr int kParts = 8;
+constexpr double kSmall = 0.25;
+// The cosine of an angle at which one direction goes along another: 45 degrees.
+constexpr double kAlong = std::numbers::sqrt2 / 2;
+
+// The place of the least `f` between a and b, where it has one minimum (golden section).
+template <class Function>
+double minimise(const Function& f, double a, double b) {
+  constexpr double kGolden = std::numbers::phi - 1;
+  double x1 = b - kGolden * (b - a);
+  double x2 = a + kGolden * (b - a);
+  double f1 = f(x1);
+  double f2 = f(x2);
+  while (x1 != x2 && std::abs(b - a) > kEpsilon * std::abs(a)) {
+    if (f1 < f2) {
+      b = std::exchange(x2, x1);
+      f2 = f1;
+      if ((x1 = b - kGolden * (b - a)) == x2) break;
+      f1 = f(x1);
+    } else {
+      a = std::exchange(x1, x2);
+      f1 = f2;
+      if ((x2 = a + kGolden * (b - a)) == x1) break;
+      f2 = f(x2);
+    }
+  }
+  return f1 < f2 ? x1 : x2;
+}
+
+bool is_zero(const Derivatives& omega) {
+  for (std::size_t k = 0; k < Derivatives::kCount; ++k) {
+    if (!omega.c[k].isZero(0) || !std::isfinite(omega.error[k])) return false;
+  }
+  return true;
+}
+
+double factorial(std::size_t n) { return std::tgamma(static_cast<double>(n) + 1); }
+
+// The order of the first derivative at the start: a lower one is zero where it is no more than what
+// terms of the size of t0 leave when they cancel.
+std::optional<std::size_t> first_not_zero(const Derivatives& omega, double t0) {
+  for (std::size_t i = 0; i < Derivatives::kCount; ++i) {
+    double size = 0;
+    for (std::size_t k = i + 1; k < Derivatives::kCount; ++k) {
+      size += norm(omega.c[k]) * std::pow(std::abs(t0), static_cast<double>(k - i));
+    }
+    if (omega.differs_from_zero(i) && norm(omega.c[i]) > 64 * kEpsilon * size) return i;
+  }
+  return std::nullopt;
+}
+
+std::string why_no_limit(const Derivatives& omega) {
+  if (is_zero(omega)) {
+    return "the body is at rest there, omega and its derivatives are zero: the axis has no limit";
+  }
+  return "no derivative of omega is known to differ from zero there: the axis has no known limit" +
+         (omega.no_jets.empty() ? "" : " (" + omega.no_jets + ")");
+}
+
+}  // namespace
+
+Crossings::Crossings(AngularVelocity omega, Propagator propagator, const Rotation& start,
+                     const StartTurn& turn, std::optional<double> tolerance)
+    : omega_(std::move(omega)),
+      propagator_(std::move(propagator)),
+      start_(start.quaternion()),
+      start_axis_(start.angle() == 0 ? Vector(Vector::Zero()) : start.axis()),
+      first_turn_(turn.turn),
+      on_zero_(turn.on_zero),
+      tolerance_(tolerance) {
+  if (tolerance && !(*tolerance > 0 && std::isfinite(*tolerance))) {
+    throw std::invalid_argument("crossing_tolerance must be positive, got " + text(*tolerance));
+  }
+}
+
+// Its sign: that of d|M|/dt = M0 omega . M / (2 |M|), whichever way the motion goes.
+double Crossings::rate_of_size(double t) const {
+  const Quaternion q = propagator_(t, start_);
+  const double sense = propagator_.frame == Frame::kSpace ? forward() : -forward();
+  return sense * q.w() * propagator_.flow->generator(t).dot(q.vec());
+}
+
+// The error of M is half that of the rotation, and t is only known to an ulp.
+Crossings::Scale Crossings::scale_of(double t, double error) const {
+  const double of_t = kEpsilon * std::abs(t) * norm(propagator_.flow->generator(t));
+  Scale scale{};
+  scale.error = error + of_t;
+  scale.zero = tolerance_ ? *tolerance_ / 2 + of_t : 2 * scale.error;
+  scale.nonzero = 4 * std::max(scale.zero, scale.error);
+  scale.away = std::min(8 * scale.nonzero, kSmall);
+  return scale;
+}
+
+double Crossings::tolerance() const { return tolerance_.value_or(4 * error_of_m()); }
+
+double Crossings::error_of_m() const { return std::max(propagator_.error_estimate / 2, kEpsilon); }
+
+// Shortly after the start the error is not yet that of the whole run. It is at most the integral of
+// what the generator differs from omega by [theory 4.9].
+double Crossings::error_of_m(double t) const {
+  double defect = 0;
+  const double sign = propagator_.frame == Frame::kSpace ? 1 : -1;
+  for (const double part : {0.1, 0.4, 0.7, 0.95}) {
+    const double place = propagator_.t0 + part * (t - propagator_.t0);
+    defect =
+        std::max(defect, norm(Vector(propagator_.flow->generator(place) - sign * omega_(place))));
+  }
+  return std::min(error_of_m(), defect * std::abs(t - propagator_.t0) + kEpsilon);
+}
+
+// The first place from t on towards another where |M| is at least `size`; that other one if there
+// is none.
+double Crossings::reach(double t, double towards, double size) const {
+  const double sense = towards > t ? 1 : -1;
+  const double longest = spacing_ / kParts;
+  double step = std::max(0x1p-46 * spacing_, 4 * kEpsilon * std::abs(t));
+  for (double far = step; far < std::abs(towards - t); far += step) {
+    const double place = t + sense * far;
+    if (norm(m(place)) >= size) return place;
+    step = std::max(std::min(far / 2, longest), 4 * kEpsilon * std::abs(t));
+  }
+  return towards;
+}
+
+// M = 0 is where U q0, or q0 U*, is plus or minus 1.
+bool Crossings::may_be_zero() const {
+  const Quaternion target = propagator_.frame == Frame::kSpace ? start_.conjugate() : start_;
+  // What is looked for lies within the tolerance; the rest is for the error of the run and of the
+  // motion's own bound.
+  return propagator_.flow->can_reach(target, 1e-6 + 4 * std::max(tolerance(), 2 * error_of_m()));
+}
+
+void Crossings::begin() {
+  if (may_be_zero()) {
+    try {
+      mesh_ = propagator_.flow->mesh();
+    } catch (const std::length_error& error) {
+      throw std::length_error(std::string(error.what()) +
+                              " for crossings, without which axis and angle are not known; the "
+                              "quaternion and the matrix are");
+    }
+  }
+  begun_ = true;
+  if (mesh_.size() < 2) return;
+  settled_ = propagator_.t0;
+  spacing_ = std::abs(mesh_[1] - mesh_[0]) / kParts;
+  if (on_zero_) start_on_zero();
+  last_ = {mesh_.front(), norm(m(mesh_.front()))};
+}
+
+void Crossings::look_until(double t, const Observer& observer) {
+  if (!begun_) begin();
+  // A run that was stopped keeps what was done: the observer has had its say.
+  const bool watched = observer && !propagator_.stop;
+  // A minimum is seen when |M| rises again.
+  while (next_ < mesh_.size() && (!ahead(t, last_.t) || last_.size < before_.size)) {
+    if (watched && !observer(last_.t)) throw Interrupted();
+    const double a = mesh_[next_ - 1];
+    const double b = mesh_[next_];
+    spacing_ = std::abs(b - a) / kParts;
+    for (int part = 1; part <= kParts; ++part) {
+      push(part == kParts ? b : a + (b - a) * part / kParts);
+    }
+    if (++next_ == mesh_.size()) finish();
+  }
+}
+
+// The next sample, with more before it where |M| is small.
+void Crossings::push(double t) {
+  const double size = norm(m(t));
+  const auto add = [this](const Sample& sample) {
+    if (sample.t == last_.t) return;
+    const bool first = std::isinf(before_.size);
+    if (last_.size < sample.size &&
+        (first ? rate_of_size(last_.t) < 0 : last_.size <= before_.size)) {
+      look_between(first ? last_.t : before_.t, sample.t);
+    }
+    before_ = std::exchange(last_, sample);
+  };
+  if (std::min(size, last_.size) < kSmall) {
+    const double a = last_.t;
+    for (int part = 1; part < kParts; ++part) {
+      const double place = a + (t - a) * part / kParts;
+      add({place, norm(m(place))});
+    }
+  }
+  add({t, size});
+}
+
+// A minimum in the last interval, where |M| does not rise again.
+void Crossings::finish() {
+  if (before_.t == last_.t || last_.size > before_.size) return;
+  if (last_.size <= scale_of(last_.t, error_of_m()).nonzero || rate_of_size(last_.t) > 0) {
+    look_between(before_.t, last_.t);
+  }
+}
+
+void Crossings::look_between(double ta, double tb) {
+  const auto size = [this](double t) { return norm(m(t)); };
+  double t = minimise(size, ta, tb);
+  for (const double end : {ta, tb}) {
+    if (size(end) < size(t)) t = end;
+  }
+  if (ahead(t, settled_)) return;
+  if (size(t) <= scale_of(t, error_of_m()).nonzero) settle(t, size(t));
+}
+
+// Where omega is smooth about t, as far as is known.
+std::pair<double, double> Crossings::around(double t) const {
+  const auto [first, last] = std::minmax({propagator_.t0, propagator_.t1});
+  double low = std::max(first, t - kParts * spacing_);
+  double high = std::min(last, t + kParts * spacing_);
+  for (const double jump : omega_.breaks(low, high)) {
+    if (jump == t) continue;
+    (jump < t ? low : high) = jump;
+    if (jump > t) break;
+  }
+  return {low, high};
+}
+
+// M is as small as its error at t, or nearly.
+void Crossings::settle(double t, double size) {
+  Scale scale = scale_of(t, error_of_m());
+  Zero zero{t, reach(t, settled_, scale.away), reach(t, propagator_.t1, scale.away), {}, 0, kNone};
+  if (zero.begin == propagator_.t0) {
+    scale = scale_of(t, error_of_m(zero.end));
+    zero.end = reach(t, propagator_.t1, scale.away);
+  }
+  if (size > scale.nonzero) return;
+  settled_ = zero.end;
+  Crossing crossing;
+  crossing.t = t;
+  crossing.distance = 2 * size;
+  crossing.turn_before = crossing.turn_after = crossing.multiple = turn_at(t);
+  const bool upper = sign_of_turn(crossing.turn_before) * propagator_(t, start_).w() < 0;
+  if (upper) crossing.multiple += 1;
+  if (size > scale.zero) {
+    leave_undecided(scale, crossing);
+  } else {
+    decide(scale, crossing, zero);
+    zero.limit = crossing.axis;
+    zeros_.push_back(zero);
+  }
+  // A run that ends there has passed nothing.
+  if (zero.end == propagator_.t1 && norm(m(zero.end)) <= scale.nonzero) return;
+  crossings_.push_back(crossing);
+}
+
+void Crossings::leave_undecided(const Scale& scale, Crossing& crossing) const {
+  const Vector m_least = m(crossing.t);
+  crossing.axis = unit(m_least) * sign_of_turn(crossing.turn_before);
+  crossing.axis_rate = kNone;
+  crossing.t_error = 2 * norm(m_least) / norm(propagator_.flow->generator(crossing.t));
+  crossing.note = "theta comes to " + text(crossing.distance, 3) + " rad of 2 pi k: up to " +
+                  text(2 * scale.zero, 3) + " (crossing_tolerance) is a crossing, from " +
+                  text(2 * scale.nonzero, 3) + " on a near miss; followed as turning back";
+}
+
+// M itself tells the case [theory 3]: by the cosines of the angles that it makes before and after
+// with the directions expected. Nothing where it does not go along these.
+std::optional<Passage> Crossings::passage(const Zero& zero, const Vector& expected_before,
+                                          const Vector& expected_after, double away) const {
+  const Vector before = m(zero.begin);
+  const Vector after = m(zero.end);
+  const double a = before.dot(expected_before) / norm(before);
+  const double b = after.dot(expected_after) / norm(after);
+  // Beside the start M is known, but may be no farther from zero than the motion passes it.
+  const bool is_along = std::abs(a) > kAlong || norm(before) < away;
+  if (!is_along || !(std::abs(b) > kAlong)) return std::nullopt;
+  return a * b < 0 ? Passage::kThrough : Passage::kBack;
+}
+
+void Crossings::decide(const Scale& scale, Crossing& crossing, Zero& zero) const {
+  const auto [low, high] = around(crossing.t);
+  const double w = propagator_(crossing.t, start_).w();
+  const auto order = order_of_zero(omega_, crossing.t, scale.error, low, high);
+  if (order) decide_by_order(*order, w, scale, crossing, zero);
+  if (!zero.series) decide_by_motion(scale, order.has_value(), crossing, zero);
+  if (crossing.kind == Passage::kThrough) {
+    crossing.turn_after += crossing.multiple > crossing.turn_before ? 1 : -1;
+  }
+  if (!zero.series) return;
+  // Before the zero of a run that goes backward, s is positive.
+  const bool turned = forward() < 0 && *crossing.order % 2 == 0;
+  zero.sign = sign_of_turn(crossing.turn_after) * (turned ? -1 : 1);
+  const AxisSeries::Value at_zero = zero.axis(zero.t);
+  crossing.axis = at_zero.axis;
+  crossing.axis_rate = at_zero.rate;
+}
+
+// The order confirms what M does, and knows the axis.
+void Crossings::decide_by_order(const ZeroOrder& order, double w, const Scale& scale,
+                                Crossing& crossing, Zero& zero) const {
+  const bool odd = order.order % 2 == 1;
+  AxisSeries series(order.omega, order.order, w, omega_.frame(),
+                    order.order == 0 ? order.t_error : kEpsilon * std::abs(order.t));
+  const Passage expected = odd ? Passage::kBack : Passage::kThrough;
+  if (norm(m(zero.end)) < scale.away ||  // the run ends there
+      passage(zero, series(zero.begin - order.t).axis, series(zero.end - order.t).axis,
+              scale.away) == expected) {
+    crossing.kind = expected;
+    crossing.t = zero.t = order.t;
+    zero.series = std::move(series);
+  } else {
+    crossing.note = "the motion does not bear out the derivatives of omega, which say order " +
+                    std::to_string(order.order) + ": " + (odd ? "back" : "through");
+  }
+  crossing.t_error = order.t_error;
+  crossing.order = order.order;
+  const double factor = factorial(order.order);
+  crossing.derivative = factor * order.omega.c[order.order];
+  crossing.derivative_error = factor * order.omega.error[order.order];
+  crossing.by_jets = order.omega.no_jets.empty();
+}
+
+// M alone, from where it leaves its error to where it is away.
+void Crossings::decide_by_motion(const Scale& scale, bool contradicted, Crossing& crossing,
+                                 Zero& zero) const {
+  crossing.axis = crossing.axis_rate = kNone;
+  const double begin = reach(crossing.t, zero.begin, scale.zero);
+  const double end = reach(crossing.t, zero.end, scale.zero);
+  crossing.t = zero.t = begin + (end - begin) / 2;
+  const Vector after = m(zero.end);
+  if (norm(after) >= scale.away) {
+    const Vector n = unit(after);
+    const auto seen = passage(zero, n, n, scale.away);
+    crossing.kind = seen.value_or(Passage::kUndecided);
+    const double sign = crossing.kind == Passage::kThrough ? -1 : 1;
+    if (seen) crossing.axis = sign * sign_of_turn(crossing.turn_before) * n;
+  }
+  const auto [low, high] = around(crossing.t);
+  const Derivatives omega = derivatives_at(omega_, crossing.t, low, high);
+  const bool rests = is_zero(omega);
+  if (contradicted && !rests) return;
+  crossing.note = why_no_limit(omega);
+  crossing.order = std::nullopt;
+  crossing.t_error = std::abs(end - begin) / 2;
+  if (rests) crossing.axis = kNone;
+}
+
+// The angle is a multiple of 2 pi and M = 0, exactly: the axis comes from omega alone.
+void Crossings::start_on_zero() {
+  const double t = propagator_.t0;
+  const Scale scale = scale_of(t, error_of_m());
+  Zero zero{t, t, reach(t, propagator_.t1, scale.away), {}, 0, kNone};
+  const auto [low, high] = around(t);
+  const Derivatives omega = derivatives_at(omega_, t, low, high);
+  if (const auto order = first_not_zero(omega, t)) {
+    zero.series.emplace(omega, *order, start_.w(), omega_.frame(), 0);
+    const double sign = sign_of_turn(first_turn_) * (forward() < 0 && *order % 2 == 0 ? -1 : 1);
+    const bool away = (sign * (*zero.series)(0).axis).dot(start_axis_) < 0;
+    if (away) first_turn_ -= 1;
+    zero.sign = away ? -sign : sign;
+    zero.limit = zero.axis(t).axis;
+  } else if (zero.end == propagator_.t1 && norm(m(zero.end)) < scale.away) {
+    settled_ = zero.end;  // it never leaves
+    return;
+  } else {
+    note_of_start_ = "at the start: " + why_no_limit(omega);
+  }
+  zeros_.push_back(zero);
+  settled_ = zero.end;
+}
+
+double Crossings::turn_at(double t) const {
+  const auto next =
+      std::partition_point(crossings_.begin(), crossings_.end(),
+                           [&](const Crossing& crossing) { return ahead(crossing.t, t); });
+  return next == crossings_.begin() ? first_turn_ : std::prev(next)->turn_after;
+}
+
+const Zero* Crossings::zero_near(double t) const {
+  const auto nearest = std::min_element(
+      zeros_.begin(), zeros_.end(),
+      [t](const Zero& a, const Zero& b) { return std::abs(a.t - t) < std::abs(b.t - t); });
+  return nearest == zeros_.end() ? nullptr : &*nearest;
+}
+
+const Zero* Crossings::zero_at(double t) const {
+  const Zero* const zero = zero_near(t);
+  if (zero == nullptr || ahead(t, zero->begin) || ahead(zero->end, t)) return nullptr;
+  const double error = zero->begin == propagator_.t0 ? error_of_m(t) : error_of_m();
+  return norm(m(t)) <= scale_of(t, error).zero ? zero : nullptr;
+}
+
+}  // namespace rotor

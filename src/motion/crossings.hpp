@@ -1,0 +1,153 @@
+// Where the axis and angle of a motion pass through theta = 2 pi k, and how.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "integrate/propagator.hpp"
+#include "motion/turns.hpp"
+#include "motion/zero_of_m.hpp"
+#include "rotation/rotation.hpp"
+#include "spin/angular_velocity.hpp"
+
+namespace rotor {
+
+enum class Passage {
+  kThrough,   // into the neighbouring interval of theta
+  kBack,      // theta turned back
+  kUndecided  // which of the two, or whether it was a crossing at all; followed as "back"
+};
+
+/// A passage of axis and angle through theta = 2 pi k, where M = n sin(theta/2) is zero.
+struct Crossing {
+  double t = 0;
+  double t_error = 0;
+  Passage kind = Passage::kUndecided;
+  double turn_before = 0;  // the integer l with 2 pi l <= theta <= 2 pi (l + 1)
+  double turn_after = 0;
+  double multiple = 0;  // theta is 2 pi times that
+  double distance = 0;  // how near theta came to 2 pi k as computed, rad
+  /// Of the first derivative of omega that is not zero there; nothing where none is known.
+  std::optional<std::size_t> order = std::nullopt;
+  Vector derivative = Vector::Zero();  // that one, in the frame of omega
+  double derivative_error = 0;
+  bool by_jets = false;  // else by differences
+  Vector axis;           // the limits of n and of n' there; NaN where there are none
+  Vector axis_rate;
+  std::string note;  // what else is to be said: why it is undecided, why there is no axis
+};
+
+/// A time at which M is zero, or as good as.
+struct Zero {
+  double t;
+  double begin;  // |M| is within its error from about here, in the order of the motion,
+  double end;    // to here
+  std::optional<AxisSeries> series;  // n = sign * series
+  double sign;
+  Vector limit;  // of n; NaN where there is none, or none is known
+
+  /// n and n' at t near it; needs a series.
+  AxisSeries::Value axis(double at) const {
+    const AxisSeries::Value value = (*series)(at - t);
+    return {(sign * value.axis).array() + 0.0, (sign * value.rate).array() + 0.0};  // no -0
+  }
+};
+
+/// The search for the crossings of one motion, as far as it was asked for.
+///
+/// M = 0 has co-dimension three: |M| has a minimum there, and does not change sign. What is less
+/// than the tolerance is a crossing, what is more than four times that (or four times the error of
+/// M, if this is more) a near miss, and what lies between undecided. M itself tells the case: it
+/// has gone through the origin, or turned back, by the time it is 32 times its tolerance away. The
+/// derivatives of omega confirm it, and give the axis there.
+class Crossings {
+ public:
+  /// `tolerance`: how near, in rad, theta comes to 2 pi k where it is a crossing; twice the error
+  /// of the run unless it is given. `turn`: that of the start. A start at theta = 2 pi k, on M = 0,
+  /// goes on upward, but downward where its axis would otherwise jump to the opposite.
+  Crossings(AngularVelocity omega, Propagator propagator, const Rotation& start,
+            const StartTurn& turn, std::optional<double> tolerance);
+
+  /// Looks up to t; throws std::length_error where the motion is too long for that, Interrupted
+  /// where the observer says no.
+  void look_until(double t, const Observer& observer);
+
+  double tolerance() const;
+  const std::optional<double>& given_tolerance() const { return tolerance_; }
+
+  // What was found up to there:
+  const std::vector<Crossing>& list() const { return crossings_; }
+  /// The interval of theta at t.
+  double turn_at(double t) const;
+  /// The zero of M nearest to t, null if there is none.
+  const Zero* zero_near(double t) const;
+  /// The one that t itself is, as far as the error of M tells; else null.
+  const Zero* zero_at(double t) const;
+  /// What is to be said about the axis at the start.
+  const std::string& note_of_start() const { return note_of_start_; }
+
+ private:
+  struct Sample {
+    double t = 0;
+    double size = std::numeric_limits<double>::infinity();  // |M|
+  };
+  // What M may be wrong by at a place, and what |M| is compared with there.
+  struct Scale {
+    double error;
+    double zero;     // below it is zero,
+    double nonzero;  // above it is not,
+    double away;     // and here its direction is known
+  };
+
+  Vector m(double t) const { return propagator_(t, start_).vec(); }
+  double forward() const { return propagator_.t1 >= propagator_.t0 ? 1 : -1; }
+  // Whether the motion comes to b after a.
+  bool ahead(double a, double b) const { return (b - a) * forward() > 0; }
+  double rate_of_size(double t) const;
+  double error_of_m() const;
+  double error_of_m(double t) const;
+  Scale scale_of(double t, double error) const;
+  double reach(double t, double towards, double size) const;
+  std::pair<double, double> around(double t) const;
+
+  bool may_be_zero() const;
+  void begin();
+  void start_on_zero();
+  void push(double t);
+  void finish();
+  void look_between(double ta, double tb);
+  void settle(double t, double size);
+  void leave_undecided(const Scale& scale, Crossing& crossing) const;
+  void decide(const Scale& scale, Crossing& crossing, Zero& zero) const;
+  std::optional<Passage> passage(const Zero& zero, const Vector& expected_before,
+                                 const Vector& expected_after, double away) const;
+  void decide_by_order(const ZeroOrder& order, double w, const Scale& scale, Crossing& crossing,
+                       Zero& zero) const;
+  void decide_by_motion(const Scale& scale, bool contradicted, Crossing& crossing,
+                        Zero& zero) const;
+
+  AngularVelocity omega_;
+  Propagator propagator_;
+  Quaternion start_;
+  Vector start_axis_;  // zero at theta = 0
+  double first_turn_;
+  bool on_zero_;
+  std::optional<double> tolerance_;
+
+  bool begun_ = false;
+  std::vector<double> mesh_;  // empty where nothing needs to be looked for
+  std::size_t next_ = 1;      // of the mesh
+  Sample before_;
+  Sample last_;
+  double spacing_ = 0;  // of the samples
+  double settled_ = 0;  // what comes before it is not looked at again
+  std::vector<Zero> zeros_;
+  std::vector<Crossing> crossings_;
+  std::string note_of_start_;
+};
+
+}  // namespace rotor
