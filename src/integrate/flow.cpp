@@ -9,6 +9,14 @@
 
 namespace rotor {
 
+std::vector<TimeSpan> Flow::approaches(const Quaternion& /*target*/, double /*distance*/) const {
+  const std::vector<double> times = mesh();
+  std::vector<TimeSpan> spans;
+  spans.reserve(times.size());
+  for (std::size_t i = 1; i < times.size(); ++i) spans.push_back({times[i - 1], times[i]});
+  return spans;
+}
+
 Quaternion FixedAxisFlow::at(double t) const {
   const Extended half = angle(t) / 2;
   Quaternion q;
@@ -17,9 +25,12 @@ Quaternion FixedAxisFlow::at(double t) const {
   return q;
 }
 
-bool FixedAxisFlow::can_reach(const Quaternion& target, double distance) const {
-  return norm(direction_.cross(target.vec())) <=
-         distance + 4 * std::numeric_limits<double>::epsilon();
+std::vector<TimeSpan> FixedAxisFlow::approaches(const Quaternion& target, double distance) const {
+  if (norm(direction_.cross(target.vec())) >
+      distance + 4 * std::numeric_limits<double>::epsilon()) {
+    return {};
+  }
+  return Flow::approaches(target, distance);
 }
 
 UniformTurn::UniformTurn(const Vector& omega, double t0, double t1)

@@ -8,6 +8,12 @@
 
 namespace rotor {
 
+/// A stretch of time, in the order of the motion.
+struct TimeSpan {
+  double begin;
+  double end;
+};
+
 /// U(t) with U(t0) = 1 and U' = g U / 2 for a generator g(t): omega in the space frame, when the
 /// motion from q0 is U q0; or -omega in the body frame, when it is q0 U*. Linear: it knows no
 /// start.
@@ -26,9 +32,11 @@ class Flow {
   /// t0, ..., the end: so near one another that U turns by no more than some 6 rad in between.
   /// Throws std::length_error where these would be more than ten million.
   virtual std::vector<double> mesh() const = 0;
-  /// Whether U(t) can anywhere on the way come as near as `distance` (of quaternions) to plus or
-  /// minus `target`. True unless it is known to be out of reach.
-  virtual bool can_reach(const Quaternion& /*target*/, double /*distance*/) const { return true; }
+  /// Where U can come as near as `distance` (of quaternions) to plus or minus `target`, in the
+  /// order of the motion, in stretches in which it turns by no more than some 6 rad: between them
+  /// it does not. The whole mesh, unless more is known. Throws std::length_error where these would
+  /// be more than ten million.
+  virtual std::vector<TimeSpan> approaches(const Quaternion& target, double distance) const;
 };
 
 /// t0, ..., t1, evenly, for a motion that turns by `turning` rad in all: as Flow::mesh wants them.
@@ -47,7 +55,7 @@ class FixedAxisFlow : public Flow {
   Quaternion at(double t) const final;
   Vector generator(double t) const final { return direction_ * rate(t); }
   /// U stays on the great circle of its direction.
-  bool can_reach(const Quaternion& target, double distance) const final;
+  std::vector<TimeSpan> approaches(const Quaternion& target, double distance) const final;
 
  private:
   Vector direction_;

@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "integrate/exact.hpp"
 #include "integrate/legs.hpp"
+#include "integrate/recurrence.hpp"
 #include "rotation/text.hpp"
 #include "rotation/turn.hpp"
 
@@ -123,32 +125,17 @@ class PeriodicFlow final : public Flow {
   std::vector<double> mesh() const override { return periodic_mesh(calendar_, legs_, t0_, t1_); }
 
   // At one phase of whatever period, U lies on a great circle. It moves at |g|/2: a stretch of the
-  // period is out of reach if its middle is farther off than its half can bridge.
-  bool can_reach(const Quaternion& target, double distance) const override {
-    constexpr std::size_t kMostLooks = 20'000;
-    std::vector<Stretch> open;
-    for (const FollowedLeg& leg : legs_) {
-      const std::vector<double> mesh = leg.flow->mesh();
-      if (8 * mesh.size() > kMostLooks) return true;
-      open.reserve(open.size() + 8 * mesh.size());
-      for (std::size_t i = 1; i < mesh.size(); ++i) {
-        const double width = (mesh[i] - mesh[i - 1]) / 8;
-        for (int part = 0; part < 8; ++part) {
-          open.push_back({&leg, mesh[i - 1] + part * width, mesh[i - 1] + (part + 1) * width});
-        }
-      }
-    }
-    for (std::size_t looks = 0; !open.empty(); ++looks) {
-      const Stretch stretch = open.back();
-      open.pop_back();
-      const double middle = stretch.begin + (stretch.end - stretch.begin) / 2;
-      const double gap = circle_distance(*stretch.leg, middle, target) - distance - 8 * kEpsilon;
-      if (gap > stretch.bridge()) continue;
-      if (gap <= 0 || looks == kMostLooks) return true;
-      open.push_back({stretch.leg, stretch.begin, middle});
-      open.push_back({stretch.leg, middle, stretch.end});
-    }
-    return false;
+  // period is out of reach if its middle is farther off than its half can bridge. Of the stretches
+  // that are not, the periods in which the circle's own turning meets the target.
+  std::vector<TimeSpan> approaches(const Quaternion& target, double distance) const override {
+    const auto near = stretches_near(target, distance);
+    if (!near) return Flow::approaches(target, distance);
+    std::vector<TimeSpan> spans;
+    for (const Stretch& stretch : *near) add_meetings(stretch, target, distance, spans);
+    std::sort(spans.begin(), spans.end(), [this](const TimeSpan& a, const TimeSpan& b) {
+      return calendar_.ahead(a.begin, b.begin);
+    });
+    return spans;
   }
 
  private:
@@ -157,6 +144,8 @@ class PeriodicFlow final : public Flow {
     double begin;
     double end;
 
+    double middle() const { return begin + (end - begin) / 2; }
+
     // How far U can get from its middle, if the rate is nowhere twice that of the ends.
     double bridge() const {
       const double rate =
@@ -164,6 +153,64 @@ class PeriodicFlow final : public Flow {
       return 2 * rate * std::abs(end - begin) / 4;
     }
   };
+
+  // All the stretches in which a great circle comes near the target, none longer than that;
+  // nothing where they are too many.
+  std::optional<std::vector<Stretch>> stretches_near(const Quaternion& target,
+                                                     double distance) const {
+    constexpr std::size_t kMostLooks = 20'000;
+    constexpr double kShort = 1e-8;
+    std::vector<Stretch> open;
+    std::vector<Stretch> near;
+    for (const FollowedLeg& leg : legs_) {
+      const std::vector<double> mesh = leg.flow->mesh();
+      if (8 * mesh.size() > kMostLooks) return std::nullopt;
+      for (std::size_t i = 1; i < mesh.size(); ++i) {
+        const double width = (mesh[i] - mesh[i - 1]) / 8;
+        for (int part = 0; part < 8; ++part) {
+          open.push_back({&leg, mesh[i - 1] + part * width, mesh[i - 1] + (part + 1) * width});
+        }
+      }
+    }
+    for (std::size_t looks = 0; !open.empty(); ++looks) {
+      if (looks == kMostLooks) return std::nullopt;
+      const Stretch stretch = open.back();
+      open.pop_back();
+      const double middle = stretch.middle();
+      const double bridge = stretch.bridge();
+      if (circle_distance(*stretch.leg, middle, target) - distance - 8 * kEpsilon > bridge)
+        continue;
+      if (bridge <= std::max(distance, kShort) || middle == stretch.begin) {
+        near.push_back(stretch);
+      } else {
+        open.push_back({stretch.leg, stretch.begin, middle});
+        open.push_back({stretch.leg, middle, stretch.end});
+      }
+    }
+    return near;
+  }
+
+  // U = one turn^k start is plus or minus the target where turn^k, at half the angle k angle_, is
+  // plus or minus one* target start*.
+  void add_meetings(const Stretch& stretch, const Quaternion& target, double distance,
+                    std::vector<TimeSpan>& spans) const {
+    const FollowedLeg& leg = *stretch.leg;
+    const ExtendedQuaternion one = leg.flow->at(stretch.middle()).cast<Extended>() * leg.before;
+    const ExtendedQuaternion wanted =
+        one.conjugate() * target.cast<Extended>() * start_.conjugate();
+    const Extended half_angle = std::atan2(axis_.dot(wanted.vec()), wanted.w());
+    // An arc exceeds its chord by less than a tenth up to 1.5 rad.
+    const Extended width = 1.1L * (distance + stretch.bridge() + 8 * kEpsilon);
+    const auto last = static_cast<std::uint64_t>(calendar_.place(t1_).periods);
+    const auto number = static_cast<std::size_t>(&leg - legs_.data());
+    for (const std::uint64_t k : near_multiples_of_pi(angle_ / 2, -half_angle, width, last)) {
+      const auto periods = static_cast<Extended>(k);
+      const double begin = calendar_.time({periods, number, stretch.begin});
+      const double end = calendar_.time({periods, number, stretch.end});
+      if (!calendar_.ahead(t1_, begin))
+        spans.push_back({begin, calendar_.ahead(t1_, end) ? t1_ : end});
+    }
+  }
 
   // What the motion does in the time `late`, too short for a double.
   static ExtendedQuaternion small_turn(double late, const FollowedLeg& leg, double rest) {

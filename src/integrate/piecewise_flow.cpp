@@ -27,22 +27,30 @@ class ChainedFlow final : public Flow {
     for (const FollowedLeg& leg : legs_) {
       const std::vector<double> part = leg.flow->mesh();
       mesh.insert(mesh.end(), part.begin() + 1, part.end());
-      if (mesh.size() > 10'000'000) {
-        throw std::length_error("the pieces of omega turn too far to be looked through");
-      }
+      require_not_too_many(mesh.size());
     }
     return mesh;
   }
 
-  bool can_reach(const Quaternion& target, double distance) const override {
+  std::vector<TimeSpan> approaches(const Quaternion& target, double distance) const override {
     constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-    return std::any_of(legs_.begin(), legs_.end(), [&](const FollowedLeg& leg) {
+    std::vector<TimeSpan> spans;
+    for (const FollowedLeg& leg : legs_) {
       const ExtendedQuaternion aim = target.cast<Extended>() * leg.before.conjugate();
-      return leg.flow->can_reach(aim.cast<double>(), distance + kRounding);
-    });
+      const auto part = leg.flow->approaches(aim.cast<double>(), distance + kRounding);
+      spans.insert(spans.end(), part.begin(), part.end());
+      require_not_too_many(spans.size());
+    }
+    return spans;
   }
 
  private:
+  static void require_not_too_many(std::size_t size) {
+    if (size > 10'000'000) {
+      throw std::length_error("the pieces of omega turn too far to be looked through");
+    }
+  }
+
   // The leg that starts at t, where two meet.
   const FollowedLeg& leg_at(double t) const {
     const auto after = std::upper_bound(legs_.begin() + 1, legs_.end(), t,

@@ -1,11 +1,15 @@
 // omega constant in a uniformly turning frame: the closed form.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "integrate/exact.hpp"
+#include "integrate/recurrence.hpp"
 #include "rotation/turn.hpp"
 
 namespace rotor {
@@ -53,28 +57,76 @@ class TurningFlow final : public Flow {
     return even_mesh(t0_, t1_, static_cast<double>(rate * std::abs(Extended{t1_} - t0_)));
   }
 
-  // <U, target> is bilinear in (cos, sin) of the two half angles. Were these independent, it would
-  // reach the greatest singular value s of its matrix, at the distance (2 - 2s)^(1/2).
-  bool can_reach(const Quaternion& target, double distance) const override {
+  // <U, target> is bilinear in (cos, sin) of the two half angles x, of the frame, and y: it is
+  // A cos(x - y - p) + B cos(x + y - q), so that U comes near where both cosines are nearly 1, or
+  // nearly -1, and nowhere if A + B is less.
+  std::vector<TimeSpan> approaches(const Quaternion& target, double distance) const override {
     const ExtendedQuaternion aim = target.cast<Extended>().normalized() * back_.conjugate();
-    const ExtendedQuaternion one = ExtendedQuaternion::Identity();
     const ExtendedQuaternion frame = pure(rate_ == 0 ? ExtendedVector::Zero().eval() : about_);
     const ExtendedQuaternion own = pure(own_axis_);
-    const Extended a = one.dot(aim);
+    const Extended a = ExtendedQuaternion::Identity().dot(aim);
     const Extended b = own.dot(aim);
     const Extended c = frame.dot(aim);
     const Extended d = (frame * own).dot(aim);
-    const Extended squares = a * a + b * b + c * c + d * d;
-    const Extended determinant = a * d - b * c;
+    const Extended start = own_rate_ * t0_ / 2;
+    const Wave difference{std::hypot(a + d, c - b) / 2, std::atan2(c - b, a + d),
+                          (rate_ - own_rate_) / 2, start};
+    const Wave sum{std::hypot(a - d, b + c) / 2, std::atan2(b + c, a - d), (rate_ + own_rate_) / 2,
+                   -start};
+    // 1 - |<U, target>| is half the square of the distance.
     constexpr Extended kRounding = 64 * std::numeric_limits<Extended>::epsilon();
-    // Where both singular values are nearly the same, the root of a rounding is more than one.
-    const Extended root = std::sqrt(
-        std::max(Extended{0}, squares * squares - 4 * determinant * determinant) + kRounding);
-    const Extended greatest = std::sqrt((squares + root) / 2);
-    return 2 - 2 * greatest <= Extended{distance} * distance + kRounding;
+    const Extended half_square = Extended{distance} * distance / 2 + kRounding;
+    if (1 - difference.size - sum.size > half_square) return {};
+    const bool sum_is_faster = std::abs(sum.rate) > std::abs(difference.rate);
+    const Wave& fast = sum_is_faster ? sum : difference;
+    if (fast.width(half_square) > 0.5L) return Flow::approaches(target, distance);
+    return meetings(fast, sum_is_faster ? difference : sum, half_square);
   }
 
  private:
+  // size cos(rate t + start - phase).
+  struct Wave {
+    Extended size;
+    Extended phase;
+    Extended rate;
+    Extended start;
+
+    // How far from a multiple of pi its argument may be where |cos| lacks no more than that.
+    Extended width(Extended lack) const {
+      const Extended sine = std::sqrt(lack / (2 * size));  // of half of it
+      return sine < 0.7L ? 2 * std::asin(sine) : std::numbers::pi_v<Extended> / 2;
+    }
+    Extended at(Extended t) const { return rate * t + start - phase; }
+  };
+
+  // The faster wave is at a multiple of pi once in every half turn of it; of these, where the
+  // slower one is too.
+  std::vector<TimeSpan> meetings(const Wave& fast, const Wave& slow, Extended lack) const {
+    constexpr Extended kPi = std::numbers::pi_v<Extended>;
+    const Extended sense = t1_ >= t0_ ? 1 : -1;
+    const Extended half_turn = kPi / std::abs(fast.rate);  // in time
+    const Extended width = fast.width(lack);
+    // From the one before the start to the one after the end.
+    const Extended place = fast.at(t0_) * sense * (fast.rate > 0 ? 1 : -1) / kPi;
+    const Extended first = t0_ - sense * half_turn * (place - std::floor(place));
+    const Extended count = std::ceil(std::abs(Extended{t1_} - t0_) / half_turn) + 1;
+    const Extended slow_width = slow.width(lack) + width * std::abs(slow.rate / fast.rate);
+    std::vector<TimeSpan> spans;
+    for (const std::uint64_t k :
+         near_multiples_of_pi(sense * slow.rate * half_turn, slow.at(first), slow_width,
+                              static_cast<std::uint64_t>(count))) {
+      const Extended t = first + sense * half_turn * static_cast<Extended>(k);
+      const auto far =
+          static_cast<double>(width / std::abs(fast.rate)) +
+          4 * std::numeric_limits<double>::epsilon() * static_cast<double>(std::abs(t));
+      const auto [low, high] = std::minmax(t0_, t1_);
+      const double begin = std::clamp(static_cast<double>(t - sense * far), low, high);
+      const double end = std::clamp(static_cast<double>(t + sense * far), low, high);
+      if (begin != end) spans.push_back({begin, end});
+    }
+    return spans;
+  }
+
   static ExtendedQuaternion pure(const ExtendedVector& v) { return {0, v.x(), v.y(), v.z()}; }
 
   ExtendedVector v_;      // the generator at t = 0

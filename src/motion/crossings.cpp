@@ -60,6 +60,7 @@ std::optional<std::size_t> first_not_zero(const Derivatives& omega, double t0) {
   for (std::size_t i = 0; i < Derivatives::kCount; ++i) {
     double size = 0;
     for (std::size_t k = i + 1; k < Derivatives::kCount; ++k) {
+      if (!omega.differs_from_zero(k)) continue;
       size += norm(omega.c[k]) * std::pow(std::abs(t0), static_cast<double>(k - i));
     }
     if (omega.differs_from_zero(i) && norm(omega.c[i]) > 64 * kEpsilon * size) return i;
@@ -140,30 +141,23 @@ double Crossings::reach(double t, double towards, double size) const {
   return towards;
 }
 
-// M = 0 is where U q0, or q0 U*, is plus or minus 1.
-bool Crossings::may_be_zero() const {
-  const Quaternion target = propagator_.frame == Frame::kSpace ? start_.conjugate() : start_;
-  // What is looked for lies within the tolerance; the rest is for the error of the run and of the
-  // motion's own bound.
-  return propagator_.flow->can_reach(target, 1e-6 + 4 * std::max(tolerance(), 2 * error_of_m()));
-}
-
+// M = 0 is where U q0, or q0 U*, is plus or minus 1. What is looked for lies within the tolerance;
+// the rest is for the error of the run and of the motion's own bound.
 void Crossings::begin() {
-  if (may_be_zero()) {
-    try {
-      mesh_ = propagator_.flow->mesh();
-    } catch (const std::length_error& error) {
-      throw std::length_error(std::string(error.what()) +
-                              " for crossings, without which axis and angle are not known; the "
-                              "quaternion and the matrix are");
-    }
+  const Quaternion target = propagator_.frame == Frame::kSpace ? start_.conjugate() : start_;
+  try {
+    spans_ =
+        propagator_.flow->approaches(target, 1e-6 + 4 * std::max(tolerance(), 2 * error_of_m()));
+  } catch (const std::length_error& error) {
+    throw std::length_error(std::string(error.what()) +
+                            "; without its crossings axis and angle are not known, the "
+                            "quaternion and the matrix are");
   }
   begun_ = true;
-  if (mesh_.size() < 2) return;
   settled_ = propagator_.t0;
-  spacing_ = std::abs(mesh_[1] - mesh_[0]) / kParts;
+  if (spans_.empty()) return;
+  spacing_ = std::abs(spans_[0].end - spans_[0].begin) / kParts;
   if (on_zero_) start_on_zero();
-  last_ = {mesh_.front(), norm(m(mesh_.front()))};
 }
 
 void Crossings::look_until(double t, const Observer& observer) {
@@ -171,15 +165,18 @@ void Crossings::look_until(double t, const Observer& observer) {
   // A run that was stopped keeps what was done: the observer has had its say.
   const bool watched = observer && !propagator_.stop;
   // A minimum is seen when |M| rises again.
-  while (next_ < mesh_.size() && (!ahead(t, last_.t) || last_.size < before_.size)) {
-    if (watched && !observer(last_.t)) throw Interrupted();
-    const double a = mesh_[next_ - 1];
-    const double b = mesh_[next_];
-    spacing_ = std::abs(b - a) / kParts;
-    for (int part = 1; part <= kParts; ++part) {
-      push(part == kParts ? b : a + (b - a) * part / kParts);
+  while (next_ < spans_.size() && (!ahead(t, spans_[next_].begin) || last_.size < before_.size)) {
+    const TimeSpan span = spans_[next_];
+    if (watched && !observer(span.begin)) throw Interrupted();
+    if (next_ == 0 || ahead(last_.t, span.begin)) {
+      before_ = {};
+      last_ = {span.begin, norm(m(span.begin))};
     }
-    if (++next_ == mesh_.size()) finish();
+    spacing_ = std::abs(span.end - span.begin) / kParts;
+    for (int part = 1; part <= kParts; ++part) {
+      push(part == kParts ? span.end : span.begin + (span.end - span.begin) * part / kParts);
+    }
+    if (++next_ == spans_.size() || ahead(last_.t, spans_[next_].begin)) finish();
   }
 }
 
@@ -223,17 +220,21 @@ void Crossings::look_between(double ta, double tb) {
   if (size(t) <= scale_of(t, error_of_m()).nonzero) settle(t, size(t));
 }
 
-// Where omega is smooth about t, as far as is known.
+// Where omega is smooth about t, as far as is known, and not farther than a part of the run: looked
+// for ever farther, as there may be very many breaks.
 std::pair<double, double> Crossings::around(double t) const {
   const auto [first, last] = std::minmax({propagator_.t0, propagator_.t1});
-  double low = std::max(first, t - kParts * spacing_);
-  double high = std::min(last, t + kParts * spacing_);
-  for (const double jump : omega_.breaks(low, high)) {
-    if (jump == t) continue;
-    (jump < t ? low : high) = jump;
-    if (jump > t) break;
+  const double farthest = (last - first) / 16;
+  for (double far = std::min(spacing_, farthest);; far = std::min(2 * far, farthest)) {
+    double low = std::max(first, t - far);
+    double high = std::min(last, t + far);
+    std::vector<double> breaks = omega_.breaks(low, high);
+    std::erase(breaks, t);
+    if (breaks.empty() && far < farthest) continue;
+    for (const double jump : breaks)
+      (jump < t ? low : high) = jump < t ? jump : std::min(jump, high);
+    return {low, high};
   }
-  return {low, high};
 }
 
 // M is as small as its error at t, or nearly.
@@ -248,7 +249,7 @@ void Crossings::settle(double t, double size) {
   settled_ = zero.end;
   Crossing crossing;
   crossing.t = t;
-  crossing.distance = 2 * size;
+  crossing.distance = 2 * std::asin(std::min(size, 1.0));
   crossing.turn_before = crossing.turn_after = crossing.multiple = turn_at(t);
   const bool upper = sign_of_turn(crossing.turn_before) * propagator_(t, start_).w() < 0;
   if (upper) crossing.multiple += 1;

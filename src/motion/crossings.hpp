@@ -114,7 +114,6 @@ class Crossings {
   double reach(double t, double towards, double size) const;
   std::pair<double, double> around(double t) const;
 
-  bool may_be_zero() const;
   void begin();
   void start_on_zero();
   void push(double t);
@@ -139,8 +138,8 @@ class Crossings {
   std::optional<double> tolerance_;
 
   bool begun_ = false;
-  std::vector<double> mesh_;  // empty where nothing needs to be looked for
-  std::size_t next_ = 1;      // of the mesh
+  std::vector<TimeSpan> spans_;  // to be looked through
+  std::size_t next_ = 0;         // of them
   Sample before_;
   Sample last_;
   double spacing_ = 0;  // of the samples

@@ -82,7 +82,9 @@ AxisSeries::Error AxisSeries::error(double s) const {
   const std::size_t last = p_.size() - 1;
   const double size = norm(p_[0]);
   const double turning = norm((*this)(0).rate);
-  Error error{e_[0] / size + turning * time_error_, turning * turning * time_error_};
+  // n'' is at most that of P, and twice the square of n'.
+  const double bending = 2 * turning * turning + (last > 1 ? 2 * norm(p_[2]) / size : 0);
+  Error error{e_[0] / size + turning * time_error_, turning * e_[0] / size + bending * time_error_};
   double left_out = last == 0 ? std::numeric_limits<double>::infinity() : 0;
   double power = 1;  // far^(k - 1)
   for (std::size_t k = 1; k <= last; ++k) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
+#include <vector>
 
 #include "rotation/extended.hpp"
 
@@ -97,24 +97,35 @@ Derivatives from_values(const AngularVelocity& omega, double t, double low, doub
   return result;
 }
 
-// The best of ever shorter distances, for each coefficient.
+// For each coefficient the distance at which it differs least from that of the next longer one.
+// What is a derivative is found at all shorter distances too, but for the noise there.
 Derivatives by_differences(const AngularVelocity& omega, double t, double low, double high) {
   constexpr int kDistances = 32;
+  constexpr std::size_t kWitnesses = 4;  // shorter distances that have to bear it out
+  constexpr double kNoise = 16;          // omega may well round more often than once
+  std::vector<Derivatives> levels;
+  double reach = (high - low) / 2;
+  for (int i = 0; i < kDistances && reach > 1e6 * kEpsilon * std::abs(t); ++i, reach /= 2) {
+    levels.push_back(from_values(omega, t, std::max(low, t - reach), std::min(high, t + reach)));
+  }
   Derivatives best;
   best.c.fill(Vector::Zero());
   best.error.fill(kInfinity);
-  std::optional<Derivatives> before;
-  double reach = (high - low) / 2;
-  for (int i = 0; i < kDistances && reach > 1e3 * kEpsilon * std::abs(t); ++i, reach /= 2) {
-    const Derivatives now =
-        from_values(omega, t, std::max(low, t - reach), std::min(high, t + reach));
-    for (std::size_t k = 0; before && k < kCount; ++k) {
-      const double error = norm(Vector(now.c[k] - before->c[k])) + now.error[k];
+  for (std::size_t k = 0; k < kCount; ++k) {
+    const auto apart = [&](std::size_t i, std::size_t j) {
+      return norm(Vector(levels[i].c[k] - levels[j].c[k]));
+    };
+    std::size_t chosen = 0;
+    for (std::size_t i = 1; i + kWitnesses < levels.size(); ++i) {
+      const double error = apart(i, i - 1) + levels[i].error[k];
       if (!(error < best.error[k])) continue;
-      best.c[k] = now.c[k];
+      best.c[k] = levels[i].c[k];
       best.error[k] = error;
+      chosen = i;
     }
-    before = now;
+    for (std::size_t i = chosen + 1; i < levels.size(); ++i) {
+      best.error[k] = std::max(best.error[k], apart(i, chosen) - kNoise * levels[i].error[k]);
+    }
   }
   return best;
 }

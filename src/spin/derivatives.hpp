@@ -24,11 +24,12 @@ struct Derivatives {
 };
 
 /// By jets where omega has them. Else by differences of its values between `low` and `high`, which
-/// t lies between or upon: the polynomial through twelve of them, at ever shorter distances, until
-/// what two of these differ by is least; then that, and what the rounding of the values makes of
-/// it, is the error. At most some 400 calls. omega must be smooth between low and high; where it is
-/// not about t, all errors but the first remain as large as what they are errors of. Errors of
-/// omega pass through, but for those of NonFiniteOmega: then nothing is known.
+/// t lies between or upon: the polynomial through twelve of them, at ever shorter distances. It is
+/// taken where two of these differ least; the error is what they differ by, or what those at
+/// shorter distances do beyond the rounding of their values, which counts too. Some 400 calls.
+/// omega must be smooth between low and high; where it is not about t, all errors but the first
+/// remain as large as what they are errors of. Errors of omega pass through, but for those of
+/// NonFiniteOmega: then nothing is known.
 Derivatives derivatives_at(const AngularVelocity& omega, double t, double low, double high);
 
 }  // namespace rotor

@@ -178,7 +178,7 @@ TEST_CASE("a period about a fixed direction stays a turn about it") {
             run.fixed_axis()->angle(t) - sign * ((Extended{t} - t0) + (more(t) - more(t0)));
         CAPTURE(t0, t1, t, run.error_estimate);
         CHECK(static_cast<double>(std::abs(error)) <= run.error_estimate);
-        CHECK(run.fixed_axis()->rate(t) == Approx(sign * rate.value(t)).margin(1e-6));
+        CHECK(run.fixed_axis()->rate(t) == Approx(sign * rate.value(t)).epsilon(0).margin(1e-6));
       }
       CHECK(run.error_estimate <= 2e-9);
     }
@@ -210,11 +210,11 @@ TEST_CASE("what a periodic omega can reach is told, and nothing that it does rea
       for (int i = 0; i < 30; ++i) {
         CAPTURE(t0, t1, i);
         const Quaternion there = run.flow->at(t0 + (t1 - t0) * i / 30);
-        CHECK(run.flow->can_reach(there, 1e-14));
-        CHECK(run.flow->can_reach(Quaternion(-there.coeffs()), 1e-14));
+        CHECK(!run.flow->approaches(there, 1e-14).empty());
+        CHECK(!run.flow->approaches(Quaternion(-there.coeffs()), 1e-14).empty());
         const Quaternion aim =
             Quaternion(normal(random), normal(random), normal(random), normal(random)).normalized();
-        if (!run.flow->can_reach(aim, 1e-12)) ++denied;
+        if (run.flow->approaches(aim, 1e-12).empty()) ++denied;
       }
     }
   }

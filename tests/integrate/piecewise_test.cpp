@@ -137,10 +137,10 @@ TEST_CASE("what a piecewise omega can reach is told, and nothing that it does re
   int denied = 0;
   for (int i = 0; i < 50; ++i) {
     CAPTURE(i);
-    CHECK(run.flow->can_reach(run.flow->at(20.0 * i / 50), 1e-14));
+    CHECK(!run.flow->approaches(run.flow->at(20.0 * i / 50), 1e-14).empty());
     const Quaternion aim =
         Quaternion(normal(random), normal(random), normal(random), normal(random)).normalized();
-    if (!run.flow->can_reach(aim, 1e-12)) ++denied;
+    if (run.flow->approaches(aim, 1e-12).empty()) ++denied;
   }
   // Three surfaces in a space of three dimensions: a place at random is on none.
   CHECK(denied == 50);

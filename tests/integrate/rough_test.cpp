@@ -83,7 +83,7 @@ TEST_CASE("a jump at t = 0, where t resolves everything, and at t = 1e9, where i
       propagate(closed_form::by_dop853(1e-10, scene(shifted(1e9), 1e9, 1e9 + 3)));
   REQUIRE(stopped.stop);
   CHECK(stopped.stop->reason == "step underflow");
-  CHECK(stopped.stop->t == Approx(1e9 + 1).margin(1e-4));
+  CHECK(stopped.stop->t == Approx(1e9 + 1).epsilon(0).margin(1e-4));
 }
 
 TEST_CASE("omega that is nearly constant, constant or zero is cheap as a function too") {
@@ -197,7 +197,7 @@ TEST_CASE("a jump to any finite omega is resolved or refused, never lost in over
     const Propagator run = propagate(s);
     INFO("size " << size);
     REQUIRE(run.stop);  // 1e7 turns and more to come
-    CHECK(run.t1 == Approx(0.5).margin(1e-3));
+    CHECK(run.t1 == Approx(0.5).epsilon(0).margin(1e-3));
     CHECK(std::isfinite(run.error_estimate));
     CHECK(!std::isnan(worst_t));
   }

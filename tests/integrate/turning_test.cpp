@@ -123,8 +123,8 @@ TEST_CASE("what a turning omega can reach is told, and nothing that it does reac
     const Propagator run = propagate(flows::scene(turning(v, k, rate), 0.5, 60));
     // A place on the way, and one at a known distance from that.
     const Quaternion there = run.flow->at(0.5 + 59.5 * i / 200);
-    CHECK(run.flow->can_reach(there, 1e-15));
-    CHECK(run.flow->can_reach(Quaternion(-there.coeffs()), 1e-15));
+    CHECK(!run.flow->approaches(there, 1e-15).empty());
+    CHECK(!run.flow->approaches(Quaternion(-there.coeffs()), 1e-15).empty());
     const Quaternion aim =
         Quaternion(normal(random), normal(random), normal(random), normal(random)).normalized();
     double nearest = 2;
@@ -132,8 +132,8 @@ TEST_CASE("what a turning omega can reach is told, and nothing that it does reac
       const Eigen::Vector4d u = run.flow->at(t).coeffs();
       nearest = std::min({nearest, (u - aim.coeffs()).norm(), (u + aim.coeffs()).norm()});
     }
-    CHECK(run.flow->can_reach(aim, nearest + 1e-15));
-    if (!run.flow->can_reach(aim, 1e-12)) ++denied;
+    CHECK(!run.flow->approaches(aim, nearest + 1e-15).empty());
+    if (run.flow->approaches(aim, 1e-12).empty()) ++denied;
   }
   // A surface in a space of three dimensions: a place at random is not on it.
   CHECK(denied == 200);

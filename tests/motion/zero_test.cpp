@@ -47,7 +47,7 @@ TEST_CASE("the pathological omega of P6 has no axis at its start, and follows (s
     // theta/t^3 -> 1 and n = (sin 1/t, cos 1/t, 0) to 0.1 t^2 (theory 5).
     CAPTURE(t);
     const double error = run.propagator().error_estimate / std::pow(t, 3);
-    CHECK(run(t).angle / std::pow(t, 3) == Approx(1).margin(t * t + error));
+    CHECK(run(t).angle / std::pow(t, 3) == Approx(1).epsilon(0).margin(t * t + error));
     const Vector n = run(t).axis - Vector(std::sin(1 / t), std::cos(1 / t), 0);
     CHECK(n.head<2>().norm() < 0.02 * t * t + error);
     CHECK(std::abs(n.z()) == Approx(0.1 * t * t).epsilon(0.1).margin(error));
@@ -76,7 +76,7 @@ TEST_CASE("where the body rests at the identity the axis has no limit, and the r
     CHECK(run(1.5).angle < 1e-14);
     CHECK((run(0.5).axis - Vector(0, 0, 1)).norm() < 1e-12);
     CHECK((run(2.5).axis - Vector(1, 0, 0)).norm() < 1e-12);
-    CHECK(run(2.5).angle == Approx(0.125).margin(1e-13));
+    CHECK(run(2.5).angle == Approx(0.125).epsilon(0).margin(1e-13));
     const Rates rates = run.rates(run(1.5), run.omega(1.5));
     CHECK(rates.angle_rate == 0);
     CHECK(rates.axis_rate.hasNaN());

@@ -107,7 +107,9 @@ TEST_CASE("canonical at and near the identity") {
   CHECK(Rotation(n, -1e-300).canonical() == Rotation(-n, 1e-300));
   // The doubles nearest 2 pi and 4 pi fall short by 2.4492935982947064e-16 and twice that.
   CHECK(Rotation(n, 2 * kPi).canonical().axis() == -n);
-  CHECK(Rotation(n, 2 * kPi).canonical().angle() == Approx(2.4492935982947064e-16).margin(0));
-  CHECK(Rotation(n, 4 * kPi).canonical().angle() == Approx(4.8985871965894128e-16).margin(0));
+  CHECK(Rotation(n, 2 * kPi).canonical().angle() ==
+        Approx(2.4492935982947064e-16).epsilon(0).margin(0));
+  CHECK(Rotation(n, 4 * kPi).canonical().angle() ==
+        Approx(4.8985871965894128e-16).epsilon(0).margin(0));
   CHECK(Rotation(n, -2 * kPi).canonical().axis() == n);
 }
