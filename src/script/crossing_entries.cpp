@@ -60,11 +60,16 @@ std::optional<double> derivative_error(const Crossing& c) {
 }
 std::optional<std::string> note(const Crossing& c) { return only_if(!c.note.empty(), c.note); }
 
+std::string turn_text(double turn) {
+  const std::string with_point = rotor::text(turn);
+  return with_point.ends_with(".0") ? with_point.substr(0, with_point.size() - 2) : with_point;
+}
+
 std::string text_of_crossing(const Crossing& c) {
   std::string result = "crossing  " + kind(c) + "  angle " + full_turns_text(angle(c)) + "  t " +
                        shown(c.t) + " +- " + rotor::text(c.t_error, 2) + "  order " +
                        (c.order ? std::to_string(*c.order) : "unknown") + "\n          turn " +
-                       rotor::text(c.turn_before, 17) + " to " + rotor::text(c.turn_after, 17) +
+                       turn_text(c.turn_before) + " to " + turn_text(c.turn_after) +
                        (c.axis.hasNaN() ? "  no axis" : "  axis " + shown(c.axis));
   if (!c.note.empty()) result += "\n          " + c.note;
   return result;
