@@ -389,10 +389,11 @@ double Crossings::turn_at(double t) const {
 }
 
 const Zero* Crossings::zero_near(double t) const {
-  const auto nearest = std::min_element(
-      zeros_.begin(), zeros_.end(),
-      [t](const Zero& a, const Zero& b) { return std::abs(a.t - t) < std::abs(b.t - t); });
-  return nearest == zeros_.end() ? nullptr : &*nearest;
+  if (zeros_.empty()) return nullptr;
+  auto near = std::partition_point(zeros_.begin(), zeros_.end() - 1,
+                                   [&](const Zero& zero) { return ahead(zero.t, t); });
+  if (near != zeros_.begin() && std::abs(std::prev(near)->t - t) < std::abs(near->t - t)) --near;
+  return &*near;
 }
 
 const Zero* Crossings::zero_at(double t) const {
