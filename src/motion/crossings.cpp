@@ -133,10 +133,12 @@ double Crossings::reach(double t, double towards, double size) const {
   const double sense = towards > t ? 1 : -1;
   const double longest = spacing_ / kParts;
   double step = std::max(0x1p-46 * spacing_, 4 * kEpsilon * std::abs(t));
-  for (double far = step; far < std::abs(towards - t); far += step) {
+  double far = step;
+  while (far < std::abs(towards - t)) {
     const double place = t + sense * far;
     if (norm(m(place)) >= size) return place;
     step = std::max(std::min(far / 2, longest), 4 * kEpsilon * std::abs(t));
+    far += step;
   }
   return towards;
 }
