@@ -115,7 +115,9 @@ class Dop853 {
     dense_.append(t_next, y0, piece);
     const double stretch = equation_.stretch(sum.value());
     stretch_ = std::max(stretch_, stretch);
-    exhausted_ = equation_.distance(sum.value()) < 0.1 && stretch > longest_stretch_;
+    const double distance = equation_.distance(sum.value());
+    exhausted_ = (distance < 0.1 && stretch > longest_stretch_) || distance <= kTooNear * stretch ||
+                 (distance < 1e-6 && turn_ < 1e-3 * distance && error.doubt == 0);
     if (equation_.is_due(sum.value())) restart();
     return true;
   }
@@ -126,8 +128,7 @@ class Dop853 {
   /// of the rounding of y, that it alone makes steps short, or y tells the rotation too coarsely.
   bool at_singularity() const {
     return exhausted_ || reach_ > 0.1 ||
-           equation_.distance(sum_.value()) <=
-               std::max(1e3 * turn_, 64 * std::numeric_limits<double>::epsilon() * stretch_);
+           equation_.distance(sum_.value()) <= std::max(1e3 * turn_, kTooNear * stretch_);
   }
 
   /// The greatest error at the nodes and between with its own uncertainty, and rounding.
@@ -140,6 +141,8 @@ class Dop853 {
   // About each axis, so that none is longer than 2 pi (of a flow, between the nodes of its mesh).
   static constexpr double kLongestTurn = 3.5;
   static constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
+  // A singularity as near as that, times the stretch, is lost in the rounding of y.
+  static constexpr double kTooNear = 64 * std::numeric_limits<double>::epsilon();
 
   struct StepError {
     // Rotation vectors in the body frame: at 1, 1/8, 2/8, ... 7/8 of the step.

@@ -291,10 +291,18 @@ std::optional<Passage> Crossings::passage(const Zero& zero, const Vector& expect
   return a * b < 0 ? Passage::kThrough : Passage::kBack;
 }
 
+// Whether |M| is where the zero ends as a series about t foretells.
+bool Crossings::has_sizes(const Zero& zero, const AxisSeries& series, double t) const {
+  const double ratio = norm(m(zero.end)) / series.size(zero.end - t);
+  return ratio > 0.25 && ratio < 4;
+}
+
 void Crossings::decide(const Scale& scale, Crossing& crossing, Zero& zero) const {
   const auto [low, high] = around(crossing.t);
   const double w = propagator_(crossing.t, start_).w();
-  const auto order = order_of_zero(omega_, crossing.t, scale.error, low, high);
+  // A tolerance may be more than the error: then M may miss zero, and t is as uncertain.
+  const double error = tolerance_ ? std::max(scale.error, norm(m(crossing.t))) : scale.error;
+  const auto order = order_of_zero(omega_, crossing.t, error, low, high);
   if (order) decide_by_order(*order, w, scale, crossing, zero);
   if (!zero.series) decide_by_motion(scale, order.has_value(), crossing, zero);
   if (crossing.kind == Passage::kThrough) {
@@ -316,9 +324,11 @@ void Crossings::decide_by_order(const ZeroOrder& order, double w, const Scale& s
   AxisSeries series(order.omega, order.order, w, omega_.frame(),
                     order.order == 0 ? order.t_error : kEpsilon * std::abs(order.t));
   const Passage expected = odd ? Passage::kBack : Passage::kThrough;
-  if (norm(m(zero.end)) < scale.away ||  // the run ends there
-      passage(zero, series(zero.begin - order.t).axis, series(zero.end - order.t).axis,
-              scale.away) == expected) {
+  const Vector before = series(zero.begin - order.t).axis;
+  const Vector after = series(zero.end - order.t).axis;
+  const bool ends_there = norm(m(zero.end)) < scale.away;
+  if (ends_there ||
+      (passage(zero, before, after, scale.away) == expected && has_sizes(zero, series, order.t))) {
     crossing.kind = expected;
     crossing.t = zero.t = order.t;
     zero.series = std::move(series);

@@ -124,6 +124,7 @@ class Crossings {
   void decide(const Scale& scale, Crossing& crossing, Zero& zero) const;
   std::optional<Passage> passage(const Zero& zero, const Vector& expected_before,
                                  const Vector& expected_after, double away) const;
+  bool has_sizes(const Zero& zero, const AxisSeries& series, double t) const;
   void decide_by_order(const ZeroOrder& order, double w, const Scale& scale, Crossing& crossing,
                        Zero& zero) const;
   void decide_by_motion(const Scale& scale, bool contradicted, Crossing& crossing,

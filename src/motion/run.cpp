@@ -146,6 +146,9 @@ Vector Run::axis_rate_at(const State& state, const Vector& omega) const {
     if (const Zero* zero = better_known(state.t, error, &AxisSeries::Error::rate)) {
       return zero->axis(state.t).rate;
     }
+    crossings_.look_until(state.t, {});  // the state of the start is known without
+    const Zero* const zero = crossings_.zero_at(state.t);
+    if (zero != nullptr && !zero->series) return kNone;
   }
   return sine == 0 ? kNone : axis_rate(state.axis, Extended{state.quaternion.w()} / sine, omega);
 }

@@ -48,7 +48,7 @@ double shift_to_least(const Derivatives& omega, std::size_t order) {
 // frame.
 AxisSeries::AxisSeries(const Derivatives& omega, std::size_t order, double w, Frame frame,
                        double time_error)
-    : time_error_(time_error) {
+    : order_(order), time_error_(time_error) {
   std::array<Quaternion, kCount + 1> q;
   q[0] = Quaternion(w > 0 ? 1 : -1, 0, 0, 0);
   for (std::size_t k = 0; k < kCount; ++k) {
@@ -74,6 +74,12 @@ AxisSeries::Value AxisSeries::operator()(double s) const {
   }
   const Vector axis = unit(sum);
   return {axis, (slope - axis * axis.dot(slope)) / norm(sum)};
+}
+
+double AxisSeries::size(double s) const {
+  Vector sum = Vector::Zero();
+  for (std::size_t k = p_.size(); k-- > 0;) sum = sum * s + p_[k];
+  return norm(sum) * std::pow(std::abs(s), static_cast<double>(order_ + 1));
 }
 
 // What is left out is taken for the greater of the last two terms (every other may be zero).

@@ -27,6 +27,8 @@ class AxisSeries {
     Vector rate;
   };
   Value operator()(double s) const;
+  /// |M| there.
+  double size(double s) const;
   /// What the two may be wrong by, as far as the last terms of the series tell.
   struct Error {
     double axis;
@@ -37,6 +39,7 @@ class AxisSeries {
  private:
   std::vector<Vector> p_;  // the coefficients of P, and
   std::vector<double> e_;  // what each may be wrong by
+  std::size_t order_;
   double time_error_;
 };
 
