@@ -207,8 +207,8 @@ class PeriodicFlow final : public Flow {
       const auto periods = static_cast<Extended>(k);
       const double begin = calendar_.time({periods, number, stretch.begin});
       const double end = calendar_.time({periods, number, stretch.end});
-      if (!calendar_.ahead(t1_, begin))
-        spans.push_back({begin, calendar_.ahead(t1_, end) ? t1_ : end});
+      const double until = calendar_.ahead(t1_, end) ? t1_ : end;
+      if (calendar_.ahead(begin, until)) spans.push_back({begin, until});
     }
   }
 

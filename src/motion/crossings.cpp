@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "rotation/text.hpp"
@@ -13,7 +14,6 @@ namespace rotor {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-const Vector kNone = Vector::Constant(std::numeric_limits<double>::quiet_NaN());
 // Samples in an interval of the mesh, and again in one of these where |M| is as small as that: then
 // M turns by less than 0.1 between two.
 constexpr int kParts = 8;
@@ -84,11 +84,11 @@ Crossings::Crossings(AngularVelocity omega, Propagator propagator, const Rotatio
       propagator_(std::move(propagator)),
       start_(start.quaternion()),
       start_axis_(start.angle() == 0 ? Vector(Vector::Zero()) : start.axis()),
-      first_turn_(turn.turn),
-      on_zero_(turn.on_zero),
+      turn_(turn),
       tolerance_(tolerance) {
-  if (tolerance && !(*tolerance > 0 && std::isfinite(*tolerance))) {
-    throw std::invalid_argument("crossing_tolerance must be positive, got " + text(*tolerance));
+  if (tolerance && !(*tolerance > 0 && *tolerance < 1)) {
+    throw std::invalid_argument("crossing_tolerance must be positive and below 1 rad, got " +
+                                text(*tolerance));
   }
 }
 
@@ -104,9 +104,9 @@ Crossings::Scale Crossings::scale_of(double t, double error) const {
   const double of_t = kEpsilon * std::abs(t) * norm(propagator_.flow->generator(t));
   Scale scale{};
   scale.error = error + of_t;
-  scale.zero = tolerance_ ? *tolerance_ / 2 + of_t : 2 * scale.error;
+  scale.lost = 2 * scale.error;
+  scale.zero = tolerance_ ? *tolerance_ / 2 + of_t : scale.lost;
   scale.nonzero = 4 * std::max(scale.zero, scale.error);
-  scale.away = std::min(8 * scale.nonzero, kSmall);
   return scale;
 }
 
@@ -128,17 +128,20 @@ double Crossings::error_of_m(double t) const {
 }
 
 // The first place from t on towards another where |M| is at least `size`; that other one if there
-// is none.
+// is none. Steps grow with the way, but M does not go far within one.
 double Crossings::reach(double t, double towards, double size) const {
   const double sense = towards > t ? 1 : -1;
-  const double longest = spacing_ / kParts;
-  double step = std::max(0x1p-46 * spacing_, 4 * kEpsilon * std::abs(t));
-  double far = step;
+  const double finest =
+      std::max(0x1p-60 * std::abs(propagator_.t1 - propagator_.t0), 4 * kEpsilon * std::abs(t));
+  const double coarsest = std::abs(propagator_.t1 - propagator_.t0) / 1000;
+  double fastest = 0;
+  double far = finest;
   while (far < std::abs(towards - t)) {
     const double place = t + sense * far;
     if (norm(m(place)) >= size) return place;
-    step = std::max(std::min(far / 2, longest), 4 * kEpsilon * std::abs(t));
-    far += step;
+    fastest = std::max(fastest, norm(propagator_.flow->generator(place)));
+    const double longest = std::max(search_.spacing / kParts, std::min(coarsest, 0.1 / fastest));
+    far += std::max(std::min(far / 8, longest), finest);
   }
   return towards;
 }
@@ -148,54 +151,69 @@ double Crossings::reach(double t, double towards, double size) const {
 void Crossings::begin() {
   const Quaternion target = propagator_.frame == Frame::kSpace ? start_.conjugate() : start_;
   try {
-    spans_ =
+    search_.spans =
         propagator_.flow->approaches(target, 1e-6 + 4 * std::max(tolerance(), 2 * error_of_m()));
   } catch (const std::length_error& error) {
     throw std::length_error(std::string(error.what()) +
                             "; without its crossings axis and angle are not known, the "
                             "quaternion and the matrix are");
   }
-  begun_ = true;
-  settled_ = propagator_.t0;
-  if (spans_.empty()) return;
-  spacing_ = std::abs(spans_[0].end - spans_[0].begin) / kParts;
-  if (on_zero_) start_on_zero();
+  search_.begun = true;
+  search_.first_turn = turn_.turn;
+  search_.settled = propagator_.t0;
+  if (search_.spans.empty()) return;
+  search_.spacing = std::abs(search_.spans[0].end - search_.spans[0].begin) / kParts;
+  if (turn_.on_zero) start_on_zero();
 }
 
 void Crossings::look_until(double t, const Observer& observer) {
-  if (!begun_) begin();
+  struct Attempt {
+    explicit Attempt(Crossings& of) : crossings(of) {}
+    Attempt(const Attempt&) = delete;
+    Attempt& operator=(const Attempt&) = delete;
+    ~Attempt() {
+      if (!done) crossings.search_ = {};
+    }
+    Crossings& crossings;
+    bool done = false;
+  } attempt(*this);
+  if (!search_.begun) begin();
   // A run that was stopped keeps what was done: the observer has had its say.
   const bool watched = observer && !propagator_.stop;
   // A minimum is seen when |M| rises again.
-  while (next_ < spans_.size() && (!ahead(t, spans_[next_].begin) || last_.size < before_.size)) {
-    const TimeSpan span = spans_[next_];
+  while (search_.next < search_.spans.size() && (!ahead(t, search_.spans[search_.next].begin) ||
+                                                 search_.last.size < search_.before.size)) {
+    const TimeSpan span = search_.spans[search_.next];
     if (watched && !observer(span.begin)) throw Interrupted();
-    if (next_ == 0 || ahead(last_.t, span.begin)) {
-      before_ = {};
-      last_ = {span.begin, norm(m(span.begin))};
+    if (search_.next == 0 || ahead(search_.last.t, span.begin)) {
+      search_.before = {};
+      search_.last = {span.begin, norm(m(span.begin))};
     }
-    spacing_ = std::abs(span.end - span.begin) / kParts;
+    search_.spacing = std::abs(span.end - span.begin) / kParts;
     for (int part = 1; part <= kParts; ++part) {
       push(part == kParts ? span.end : span.begin + (span.end - span.begin) * part / kParts);
     }
-    if (++next_ == spans_.size() || ahead(last_.t, spans_[next_].begin)) finish();
+    if (++search_.next == search_.spans.size() ||
+        ahead(search_.last.t, search_.spans[search_.next].begin))
+      finish();
   }
+  attempt.done = true;
 }
 
 // The next sample, with more before it where |M| is small.
 void Crossings::push(double t) {
   const double size = norm(m(t));
   const auto add = [this](const Sample& sample) {
-    if (sample.t == last_.t) return;
-    const bool first = std::isinf(before_.size);
-    if (last_.size < sample.size &&
-        (first ? rate_of_size(last_.t) < 0 : last_.size <= before_.size)) {
-      look_between(first ? last_.t : before_.t, sample.t);
+    if (sample.t == search_.last.t) return;
+    const bool first = std::isinf(search_.before.size);
+    if (search_.last.size < sample.size &&
+        (first ? rate_of_size(search_.last.t) < 0 : search_.last.size <= search_.before.size)) {
+      look_between(first ? search_.last.t : search_.before.t, sample.t);
     }
-    before_ = std::exchange(last_, sample);
+    search_.before = std::exchange(search_.last, sample);
   };
-  if (std::min(size, last_.size) < kSmall) {
-    const double a = last_.t;
+  if (std::min(size, search_.last.size) < kSmall) {
+    const double a = search_.last.t;
     for (int part = 1; part < kParts; ++part) {
       const double place = a + (t - a) * part / kParts;
       add({place, norm(m(place))});
@@ -206,20 +224,53 @@ void Crossings::push(double t) {
 
 // A minimum in the last interval, where |M| does not rise again.
 void Crossings::finish() {
-  if (before_.t == last_.t || last_.size > before_.size) return;
-  if (last_.size <= scale_of(last_.t, error_of_m()).nonzero || rate_of_size(last_.t) > 0) {
-    look_between(before_.t, last_.t);
+  if (std::isinf(search_.before.size) || search_.last.size > search_.before.size) return;
+  if (search_.last.size <= scale_of(search_.last.t, error_of_m()).nonzero ||
+      rate_of_size(search_.last.t) > 0) {
+    look_between(search_.before.t, search_.last.t);
   }
 }
 
 void Crossings::look_between(double ta, double tb) {
+  const double t = least_between(ta, tb);
+  if (ahead(t, search_.settled) || norm(m(t)) > scale_of(t, error_of_m()).nonzero) return;
+  std::vector<double> minima = minima_about(t, 4 * std::abs(tb - ta));
+  std::sort(minima.begin(), minima.end(), [this](double a, double b) { return ahead(a, b); });
+  for (const double place : minima) {
+    if (!ahead(place, search_.settled)) settle(place, norm(m(place)));
+  }
+}
+
+double Crossings::least_between(double ta, double tb) const {
   const auto size = [this](double t) { return norm(m(t)); };
   double t = minimise(size, ta, tb);
   for (const double end : {ta, tb}) {
     if (size(end) < size(t)) t = end;
   }
-  if (ahead(t, settled_)) return;
-  if (size(t) <= scale_of(t, error_of_m()).nonzero) settle(t, size(t));
+  return t;
+}
+
+// Beside a zero there may be others that no sample tells, as near to it as its own error lets them
+// be: looked for at distances that grow by a fifth.
+std::vector<double> Crossings::minima_about(double t, double width) const {
+  std::vector<double> minima{t};
+  const auto [first, last_time] = std::minmax({propagator_.t0, propagator_.t1});
+  const double finest = std::max(0x1p-50 * width, 4 * kEpsilon * std::abs(t));
+  for (const double end : {std::max(first, t - width), std::min(last_time, t + width)}) {
+    Sample before{t, norm(m(t))};
+    Sample last = before;
+    double far = finest;
+    while (far < std::abs(end - t)) {
+      const double place = t + (end > t ? far : -far);
+      const Sample now{place, norm(m(place))};
+      if (last.size < before.size && last.size <= now.size) {
+        minima.push_back(least_between(before.t, now.t));
+      }
+      before = std::exchange(last, now);
+      far *= 1.2;
+    }
+  }
+  return minima;
 }
 
 // Where omega is smooth about t, as far as is known, and not farther than a part of the run: looked
@@ -227,14 +278,17 @@ void Crossings::look_between(double ta, double tb) {
 std::pair<double, double> Crossings::around(double t) const {
   const auto [first, last] = std::minmax({propagator_.t0, propagator_.t1});
   const double farthest = (last - first) / 16;
-  for (double far = std::min(spacing_, farthest);; far = std::min(2 * far, farthest)) {
+  const double nearest = std::clamp(search_.spacing, 0x1p-40 * farthest, farthest);
+  for (double far = nearest;; far = std::min(2 * far, farthest)) {
     double low = std::max(first, t - far);
     double high = std::min(last, t + far);
     std::vector<double> breaks = omega_.breaks(low, high);
     std::erase(breaks, t);
     if (breaks.empty() && far < farthest) continue;
-    for (const double jump : breaks)
-      (jump < t ? low : high) = jump < t ? jump : std::min(jump, high);
+    for (const double jump : breaks) {
+      if (jump < t) low = jump;
+      if (jump > t) high = std::min(high, jump);
+    }
     return {low, high};
   }
 }
@@ -242,13 +296,19 @@ std::pair<double, double> Crossings::around(double t) const {
 // M is as small as its error at t, or nearly.
 void Crossings::settle(double t, double size) {
   Scale scale = scale_of(t, error_of_m());
-  Zero zero{t, reach(t, settled_, scale.away), reach(t, propagator_.t1, scale.away), {}, 0, kNone};
+  // There the direction of M is known.
+  const auto away = [&] { return std::min(std::max(32 * scale.lost, 4 * size), kSmall); };
+  Zero zero{t};
+  zero.begin = reach(t, search_.settled, away());
+  zero.end = reach(t, propagator_.t1, away());
   if (zero.begin == propagator_.t0) {
     scale = scale_of(t, error_of_m(zero.end));
-    zero.end = reach(t, propagator_.t1, scale.away);
+    zero.end = reach(t, propagator_.t1, away());
   }
   if (size > scale.nonzero) return;
-  settled_ = zero.end;
+  search_.settled = zero.end;
+  std::tie(zero.low, zero.high) = around(t);
+  scale.away = away();
   Crossing crossing;
   crossing.t = t;
   crossing.distance = 2 * std::asin(std::min(size, 1.0));
@@ -259,18 +319,21 @@ void Crossings::settle(double t, double size) {
     leave_undecided(scale, crossing);
   } else {
     decide(scale, crossing, zero);
+  }
+  // What a tolerance above the error calls a zero has an M whose direction is known.
+  if (size <= scale.lost) {
     zero.limit = crossing.axis;
-    zeros_.push_back(zero);
+    search_.zeros.push_back(zero);
   }
   // A run that ends there has passed nothing.
   if (zero.end == propagator_.t1 && norm(m(zero.end)) <= scale.nonzero) return;
-  crossings_.push_back(crossing);
+  search_.crossings.push_back(crossing);
 }
 
 void Crossings::leave_undecided(const Scale& scale, Crossing& crossing) const {
   const Vector m_least = m(crossing.t);
   crossing.axis = unit(m_least) * sign_of_turn(crossing.turn_before);
-  crossing.axis_rate = kNone;
+  crossing.axis_rate = kNoAxis;
   crossing.t_error = 2 * norm(m_least) / norm(propagator_.flow->generator(crossing.t));
   crossing.note = "theta comes to " + text(crossing.distance, 3) + " rad of 2 pi k: up to " +
                   text(2 * scale.zero, 3) + " (crossing_tolerance) is a crossing, from " +
@@ -298,11 +361,11 @@ bool Crossings::has_sizes(const Zero& zero, const AxisSeries& series, double t) 
 }
 
 void Crossings::decide(const Scale& scale, Crossing& crossing, Zero& zero) const {
-  const auto [low, high] = around(crossing.t);
   const double w = propagator_(crossing.t, start_).w();
   // A tolerance may be more than the error: then M may miss zero, and t is as uncertain.
-  const double error = tolerance_ ? std::max(scale.error, norm(m(crossing.t))) : scale.error;
-  const auto order = order_of_zero(omega_, crossing.t, error, low, high);
+  const double error =
+      tolerance_ ? std::max(scale.error, std::sin(crossing.distance / 2)) : scale.error;
+  const auto order = order_of_zero(omega_, crossing.t, error, zero.low, zero.high);
   if (order) decide_by_order(*order, w, scale, crossing, zero);
   if (!zero.series) decide_by_motion(scale, order.has_value(), crossing, zero);
   if (crossing.kind == Passage::kThrough) {
@@ -326,9 +389,11 @@ void Crossings::decide_by_order(const ZeroOrder& order, double w, const Scale& s
   const Passage expected = odd ? Passage::kBack : Passage::kThrough;
   const Vector before = series(zero.begin - order.t).axis;
   const Vector after = series(zero.end - order.t).axis;
-  const bool ends_there = norm(m(zero.end)) < scale.away;
-  if (ends_there ||
-      (passage(zero, before, after, scale.away) == expected && has_sizes(zero, series, order.t))) {
+  // On the way from there the axis does not turn so far that it could be its opposite.
+  const bool holds = before.dot(after) > 0 &&
+                     passage(zero, before, after, scale.away) == expected &&
+                     has_sizes(zero, series, order.t);
+  if (holds || norm(m(zero.end)) < scale.away) {  // or the run ends there
     crossing.kind = expected;
     crossing.t = zero.t = order.t;
     zero.series = std::move(series);
@@ -347,7 +412,7 @@ void Crossings::decide_by_order(const ZeroOrder& order, double w, const Scale& s
 // M alone, from where it leaves its error to where it is away.
 void Crossings::decide_by_motion(const Scale& scale, bool contradicted, Crossing& crossing,
                                  Zero& zero) const {
-  crossing.axis = crossing.axis_rate = kNone;
+  crossing.axis = crossing.axis_rate = kNoAxis;
   const double begin = reach(crossing.t, zero.begin, scale.zero);
   const double end = reach(crossing.t, zero.end, scale.zero);
   crossing.t = zero.t = begin + (end - begin) / 2;
@@ -362,49 +427,53 @@ void Crossings::decide_by_motion(const Scale& scale, bool contradicted, Crossing
   const auto [low, high] = around(crossing.t);
   const Derivatives omega = derivatives_at(omega_, crossing.t, low, high);
   const bool rests = is_zero(omega);
+  crossing.t_error = std::abs(end - begin) / 2;
   if (contradicted && !rests) return;
   crossing.note = why_no_limit(omega);
   crossing.order = std::nullopt;
-  crossing.t_error = std::abs(end - begin) / 2;
-  if (rests) crossing.axis = kNone;
+  if (rests) crossing.axis = kNoAxis;
 }
 
 // The angle is a multiple of 2 pi and M = 0, exactly: the axis comes from omega alone.
 void Crossings::start_on_zero() {
   const double t = propagator_.t0;
   const Scale scale = scale_of(t, error_of_m());
-  Zero zero{t, t, reach(t, propagator_.t1, scale.away), {}, 0, kNone};
-  const auto [low, high] = around(t);
-  const Derivatives omega = derivatives_at(omega_, t, low, high);
+  Zero zero{t};
+  zero.begin = t;
+  zero.end = reach(t, propagator_.t1, std::min(32 * scale.lost, kSmall));
+  std::tie(zero.low, zero.high) = around(t);
+  const Derivatives omega = derivatives_at(omega_, t, zero.low, zero.high);
   if (const auto order = first_not_zero(omega, t)) {
     zero.series.emplace(omega, *order, start_.w(), omega_.frame(), 0);
-    const double sign = sign_of_turn(first_turn_) * (forward() < 0 && *order % 2 == 0 ? -1 : 1);
+    const double sign =
+        sign_of_turn(search_.first_turn) * (forward() < 0 && *order % 2 == 0 ? -1 : 1);
     const bool away = (sign * (*zero.series)(0).axis).dot(start_axis_) < 0;
-    if (away) first_turn_ -= 1;
+    if (away) search_.first_turn -= 1;
     zero.sign = away ? -sign : sign;
     zero.limit = zero.axis(t).axis;
-  } else if (zero.end == propagator_.t1 && norm(m(zero.end)) < scale.away) {
-    settled_ = zero.end;  // it never leaves
+  } else if (zero.end == propagator_.t1) {
+    search_.settled = zero.end;  // it never leaves
     return;
   } else {
-    note_of_start_ = "at the start: " + why_no_limit(omega);
+    search_.note_of_start = "at the start: " + why_no_limit(omega);
   }
-  zeros_.push_back(zero);
-  settled_ = zero.end;
+  search_.zeros.push_back(zero);
+  search_.settled = zero.end;
 }
 
 double Crossings::turn_at(double t) const {
   const auto next =
-      std::partition_point(crossings_.begin(), crossings_.end(),
+      std::partition_point(search_.crossings.begin(), search_.crossings.end(),
                            [&](const Crossing& crossing) { return ahead(crossing.t, t); });
-  return next == crossings_.begin() ? first_turn_ : std::prev(next)->turn_after;
+  return next == search_.crossings.begin() ? search_.first_turn : std::prev(next)->turn_after;
 }
 
 const Zero* Crossings::zero_near(double t) const {
-  if (zeros_.empty()) return nullptr;
-  auto near = std::partition_point(zeros_.begin(), zeros_.end() - 1,
+  if (search_.zeros.empty()) return nullptr;
+  auto near = std::partition_point(search_.zeros.begin(), search_.zeros.end() - 1,
                                    [&](const Zero& zero) { return ahead(zero.t, t); });
-  if (near != zeros_.begin() && std::abs(std::prev(near)->t - t) < std::abs(near->t - t)) --near;
+  if (near != search_.zeros.begin() && std::abs(std::prev(near)->t - t) < std::abs(near->t - t))
+    --near;
   return &*near;
 }
 
@@ -412,7 +481,7 @@ const Zero* Crossings::zero_at(double t) const {
   const Zero* const zero = zero_near(t);
   if (zero == nullptr || ahead(t, zero->begin) || ahead(zero->end, t)) return nullptr;
   const double error = zero->begin == propagator_.t0 ? error_of_m(t) : error_of_m();
-  return norm(m(t)) <= scale_of(t, error).zero ? zero : nullptr;
+  return norm(m(t)) <= scale_of(t, error).lost ? zero : nullptr;
 }
 
 }  // namespace rotor

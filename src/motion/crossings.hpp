@@ -41,14 +41,19 @@ struct Crossing {
   std::string note;  // what else is to be said: why it is undecided, why there is no axis
 };
 
-/// A time at which M is zero, or as good as.
+/// In the place of an axis that has no limit, or of its rate.
+inline const Vector kNoAxis = Vector::Constant(std::numeric_limits<double>::quiet_NaN());
+
+/// A time at which M is zero, as far as its error tells.
 struct Zero {
   double t;
-  double begin;  // |M| is within its error from about here, in the order of the motion,
-  double end;    // to here
-  std::optional<AxisSeries> series;  // n = sign * series
-  double sign;
-  Vector limit;  // of n; NaN where there is none, or none is known
+  double begin = t;  // |M| is lost in its error from about here, in the order of the motion,
+  double end = t;    // to here
+  double low = t;    // omega is smooth from here
+  double high = t;   // to here
+  std::optional<AxisSeries> series = std::nullopt;  // there n = sign * series
+  double sign = 0;
+  Vector limit = kNoAxis;  // of n
 
   /// n and n' at t near it; needs a series.
   AxisSeries::Value axis(double at) const {
@@ -62,7 +67,7 @@ struct Zero {
 /// M = 0 has co-dimension three: |M| has a minimum there, and does not change sign. What is less
 /// than the tolerance is a crossing, what is more than four times that (or four times the error of
 /// M, if this is more) a near miss, and what lies between undecided. M itself tells the case: it
-/// has gone through the origin, or turned back, by the time it is 32 times its tolerance away. The
+/// has gone through the origin, or turned back, by the time it is 64 times its error away. The
 /// derivatives of omega confirm it, and give the axis there.
 class Crossings {
  public:
@@ -73,14 +78,14 @@ class Crossings {
             const StartTurn& turn, std::optional<double> tolerance);
 
   /// Looks up to t; throws std::length_error where the motion is too long for that, Interrupted
-  /// where the observer says no.
+  /// where the observer says no, and what omega throws: then it begins anew when it is asked again.
   void look_until(double t, const Observer& observer);
 
   double tolerance() const;
   const std::optional<double>& given_tolerance() const { return tolerance_; }
 
   // What was found up to there:
-  const std::vector<Crossing>& list() const { return crossings_; }
+  const std::vector<Crossing>& list() const { return search_.crossings; }
   /// The interval of theta at t.
   double turn_at(double t) const;
   /// The zero of M nearest to t, null if there is none.
@@ -88,7 +93,7 @@ class Crossings {
   /// The one that t itself is, as far as the error of M tells; else null.
   const Zero* zero_at(double t) const;
   /// What is to be said about the axis at the start.
-  const std::string& note_of_start() const { return note_of_start_; }
+  const std::string& note_of_start() const { return search_.note_of_start; }
 
  private:
   struct Sample {
@@ -98,9 +103,25 @@ class Crossings {
   // What M may be wrong by at a place, and what |M| is compared with there.
   struct Scale {
     double error;
-    double zero;     // below it is zero,
-    double nonzero;  // above it is not,
-    double away;     // and here its direction is known
+    double lost;     // its direction is
+    double zero;     // below it is zero, or called so
+    double nonzero;  // above it is not
+    double away;     // before a zero, and after it: its direction is known
+  };
+
+  // As far as it has come.
+  struct Search {
+    bool begun = false;
+    std::vector<TimeSpan> spans;  // to be looked through
+    std::size_t next = 0;         // of them
+    Sample before;
+    Sample last;
+    double spacing = 0;  // of the samples
+    double settled = 0;  // what comes before it is not looked at again
+    double first_turn = 0;
+    std::vector<Zero> zeros;
+    std::vector<Crossing> crossings;
+    std::string note_of_start;
   };
 
   Vector m(double t) const { return propagator_(t, start_).vec(); }
@@ -119,6 +140,8 @@ class Crossings {
   void push(double t);
   void finish();
   void look_between(double ta, double tb);
+  double least_between(double ta, double tb) const;
+  std::vector<double> minima_about(double t, double width) const;
   void settle(double t, double size);
   void leave_undecided(const Scale& scale, Crossing& crossing) const;
   void decide(const Scale& scale, Crossing& crossing, Zero& zero) const;
@@ -134,20 +157,9 @@ class Crossings {
   Propagator propagator_;
   Quaternion start_;
   Vector start_axis_;  // zero at theta = 0
-  double first_turn_;
-  bool on_zero_;
+  StartTurn turn_;
   std::optional<double> tolerance_;
-
-  bool begun_ = false;
-  std::vector<TimeSpan> spans_;  // to be looked through
-  std::size_t next_ = 0;         // of them
-  Sample before_;
-  Sample last_;
-  double spacing_ = 0;  // of the samples
-  double settled_ = 0;  // what comes before it is not looked at again
-  std::vector<Zero> zeros_;
-  std::vector<Crossing> crossings_;
-  std::string note_of_start_;
+  Search search_;
 };
 
 }  // namespace rotor

@@ -18,7 +18,6 @@ namespace {
 
 constexpr Extended kTwoPi = 2 * std::numbers::pi_v<Extended>;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-const Vector kNone = Vector::Constant(std::numeric_limits<double>::quiet_NaN());
 constexpr double kNearZero = 0.25;  // |M| below which a series about a zero of it may know more
 
 }  // namespace
@@ -106,26 +105,32 @@ State Run::operator()(double t, const Observer& observer) const {
   return state;
 }
 
-// The series about the zero of M nearest to t, where its error is less than that of M; null where
-// it is not.
-const Zero* Run::better_known(double t, double error, double AxisSeries::Error::*of) const {
+// The series about the zero of M nearest to t, where what it says of an axis or a rate is better
+// known than by M, by its `error`; null where it is not. They must agree on the axis: omega may
+// have jumped in between.
+const Zero* Run::better_known(double t, const Vector& axis, double axis_error, double error,
+                              double AxisSeries::Error::*of) const {
   const Zero* const zero = crossings_.zero_near(t);
-  if (zero == nullptr || !zero->series) return nullptr;
-  return zero->series->error(t - zero->t).*of < error ? zero : nullptr;
+  if (zero == nullptr || !zero->series || t < zero->low || t > zero->high) return nullptr;
+  const AxisSeries::Error known = zero->series->error(t - zero->t);
+  if (!(known.*of < error)) return nullptr;
+  const bool agree = norm(Vector(zero->axis(t).axis - axis)) <= 8 * (axis_error + known.axis);
+  return agree ? zero : nullptr;
 }
 
 // n = +-M/|M|: its error is that of M over |M|.
 Vector Run::axis_at(double t, const Quaternion& q, double turn) const {
   const double size = norm(q.vec());
+  const Vector axis = size == 0 ? axis_  // the body has not moved
+                                : Vector(unit(q.vec()) * sign_of_turn(turn));
   if (size < kNearZero) {
     const double error = propagator_.error_estimate / 2 / size;
-    if (const Zero* zero = better_known(t, error, &AxisSeries::Error::axis)) {
+    if (const Zero* zero = better_known(t, axis, error, error, &AxisSeries::Error::axis)) {
       return zero->axis(t).axis;
     }
     if (const Zero* zero = crossings_.zero_at(t)) return zero->limit;
   }
-  if (size == 0) return axis_;                                // the body has not moved
-  return (unit(q.vec()) * sign_of_turn(turn)).array() + 0.0;  // no -0
+  return axis.array() + 0.0;  // no -0
 }
 
 Vector State::mrp() const {
@@ -143,14 +148,15 @@ Vector Run::axis_rate_at(const State& state, const Vector& omega) const {
     const double error_of_m = propagator_.error_estimate / 2;
     const double error = size < 32 * error_of_m ? std::numeric_limits<double>::infinity()
                                                 : norm(omega) * error_of_m / (2 * size * size);
-    if (const Zero* zero = better_known(state.t, error, &AxisSeries::Error::rate)) {
+    if (const Zero* zero =
+            better_known(state.t, state.axis, error_of_m / size, error, &AxisSeries::Error::rate)) {
       return zero->axis(state.t).rate;
     }
     crossings_.look_until(state.t, {});  // the state of the start is known without
     const Zero* const zero = crossings_.zero_at(state.t);
-    if (zero != nullptr && !zero->series) return kNone;
+    if (zero != nullptr && !zero->series) return kNoAxis;
   }
-  return sine == 0 ? kNone : axis_rate(state.axis, Extended{state.quaternion.w()} / sine, omega);
+  return sine == 0 ? kNoAxis : axis_rate(state.axis, Extended{state.quaternion.w()} / sine, omega);
 }
 
 Rates Run::rates(const State& state, const Vector& omega) const {

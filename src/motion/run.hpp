@@ -52,7 +52,7 @@ class Run {
  public:
   /// `points` are bodies' points, by their places at the start. `crossing_tolerance`: how near to
   /// 2 pi k, in rad, theta comes where it is a crossing; twice the error estimate unless it is
-  /// given. Throws std::invalid_argument unless it is positive.
+  /// given. Throws std::invalid_argument unless it is positive and below 1.
   Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
       std::vector<Vector> points = {}, std::optional<double> crossing_tolerance = std::nullopt);
 
@@ -97,7 +97,8 @@ class Run {
   // The angle about the fixed axis of the start, for a motion that has one; in extended precision.
   Extended fixed_axis_angle(double t) const;
   std::vector<Crossing> uniform_crossings(const UniformTurn& flow) const;
-  const Zero* better_known(double t, double error, double AxisSeries::Error::*of) const;
+  const Zero* better_known(double t, const Vector& axis, double axis_error, double error,
+                           double AxisSeries::Error::*of) const;
   Vector axis_at(double t, const Quaternion& q, double turn) const;
   Vector axis_rate_at(const State& state, const Vector& omega) const;
 

@@ -113,13 +113,13 @@ std::optional<ZeroOrder> order_of_zero(const AngularVelocity& omega, double t, d
   for (std::size_t i = kCount; i-- > 0;) {
     if (!at_t.differs_from_zero(i)) continue;
     ZeroOrder zero{i, t, 0, at_t};
-    if (i > 0) {
-      const double shift = shift_to_least(at_t, i);
-      if (!(std::abs(shift) <= 2 * time_until(at_t.c[i], i, error))) continue;
-      zero.t = std::clamp(t + shift, low, high);
+    const double farthest = 2 * time_until(at_t.c[i], i, error);
+    for (int round = 0; round < 3 && i > 0; ++round) {  // the series at t may be short
+      zero.t = std::clamp(zero.t + shift_to_least(zero.omega, i), low, high);
+      if (!(std::abs(zero.t - t) <= farthest)) break;
       zero.omega = derivatives_at(omega, zero.t, low, high);
-      if (!zero.omega.differs_from_zero(i)) continue;
     }
+    if (!(std::abs(zero.t - t) <= farthest) || !zero.omega.differs_from_zero(i)) continue;
     const double until = time_until(zero.omega.c[i], i, error);
     zero.t_error = until + kEpsilon * std::abs(zero.t);
     bool first = true;

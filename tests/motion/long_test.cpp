@@ -1,6 +1,7 @@
 // Crossings of motions too long to be followed: turning and periodic omega know where to look.
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "catch.hpp"
@@ -48,6 +49,24 @@ TEST_CASE("turning and periodic omega find the crossings that the whole way has"
           }
           CHECK(std::abs(run(t1).angle - whole(t1).angle) < 1e-9);
         }
+      }
+    }
+  }
+}
+
+TEST_CASE("a periodic run that ends on a crossing, or just after it, ends") {
+  for (const double periods : {1.0, 2.0, 4.0}) {
+    for (const double beyond : {0.0, 1e-14, 1e-12, 1e-9}) {
+      const AngularVelocity omega(std::make_shared<const PeriodicSpin>(
+          2.5, AngularVelocity([](double t) { return Vector(std::cos(t), 1, std::sin(t)); })));
+      const double t1 = 2.5 * periods;
+      const Run there = evolve(scene(omega, 0, t1), Rotation());
+      for (const std::optional<double>& tolerance : {std::optional<double>(), {0.1}}) {
+        const Run run =
+            evolve(scene(omega, 0, t1 + beyond), there(t1).rotation().inverse(), {}, {}, tolerance);
+        CAPTURE(periods, beyond);
+        CHECK_NOTHROW(run.crossings());
+        CHECK(std::abs(std::remainder(run(t1).angle, 2 * kPi)) < 1e-12);
       }
     }
   }

@@ -142,6 +142,51 @@ TEST_CASE(
   CHECK(std::abs(run(2).angle - (2 * kPi - 1)) < 1e-12);  // "back"
 }
 
+TEST_CASE("three crossings near one another are three, or what is left of them, but never two") {
+  // theta = 2 pi + 0.7 s (s^2 - d^2) about an axis that turns; the angle at the end tells.
+  const auto angle = [](double s, double d) { return 2 * kPi + 0.7 * s * (s * s - d * d); };
+  for (const double d : {1e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 0.1}) {
+    const auto omega = function([=](double t) -> Vector {
+      const double s = t - 1;
+      const double theta = angle(s, d);
+      const Vector n(std::cos(s), std::sin(s), 0);
+      const Vector rate(-std::sin(s), std::cos(s), 0);
+      return 0.7 * (3 * s * s - d * d) * n + (1 - std::cos(theta)) * n.cross(rate) +
+             std::sin(theta) * rate;  // [N15]
+    });
+    for (const Method method : {Method::kFgl, Method::kDop853}) {
+      for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+        Scene request = scene(omega, 0, 2, accuracy);
+        request.method = method;
+        const Run run =
+            evolve(request, Rotation(Vector(std::cos(1), -std::sin(1), 0), angle(-1, d)));
+        CAPTURE(d, accuracy, run.crossings().size());
+        CHECK(std::abs(run(2).angle - angle(1, d)) <= rotation_tolerance(run, 7));
+        CHECK((run(2).axis - Vector(std::cos(1), std::sin(1), 0)).norm() <= axis_tolerance(run, 7));
+        CHECK(run.crossings().size() % 2 == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("beside a zero the axis goes on as omega does, where that jumps too") {
+  // A crossing at t = 1 about k; omega turns aside at 1.05, which the run is told or is not.
+  for (const bool told : {true, false}) {
+    Scene request = scene(
+        function([](double t) { return t < 1.05 ? Vector(0, 0, 1) : Vector(1, 0, 0); }), 0, 2);
+    if (told) request.breaks = {1.05};
+    const Run run = evolve(request, Rotation(Vector(0, 0, 1), -1));
+    REQUIRE(run.crossings().size() == 1);
+    for (const double t : times(0, 2, 200)) {
+      const State state = run(t);
+      CAPTURE(told, t);
+      const double half = state.angle / 2;
+      CHECK((state.axis * std::sin(half) - state.quaternion.vec()).norm() <=
+            2 * run.propagator().error_estimate + 4 * kEpsilon);
+    }
+  }
+}
+
 TEST_CASE("a start at 2 pi k goes on with the axis that is nearer to its own") {
   // omega = (t^2, t, 0): n(0+) = +-j, n' = +-(2/3) i [Lemma 5.3, i = 1].
   const auto omega = function([](double t) { return Vector(t * t, t, 0); });

@@ -63,8 +63,8 @@ holds(gone(1.5).axis.x ~= gone(1.5).axis.x, "the axis is nan")
 equal(gone(1.5).rotation.angle, gone(1.5).angle)
 
 -- Options.
-for _, wrong in ipairs { 0, -1, 1/0, 0/0 } do
-  contains(refused { omega = { 0, 0, 1 }, to = 1, crossing_tolerance = wrong }, "crossing_tolerance must be positive")
+for _, wrong in ipairs { 0, -1, 1, 3, 1/0, 0/0 } do
+  contains(refused { omega = { 0, 0, 1 }, to = 1, crossing_tolerance = wrong }, "must be positive and below 1 rad")
 end
 contains(refused { omega = { 0, 0, 1 }, to = 1, crossing_tolerance = "small" }, "crossing_tolerance")
 contains(refused { omega = { 0, 0, 1 }, to = 1, singularity = "ignore" }, 'is for equation = "euler"')
