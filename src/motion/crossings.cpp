@@ -20,6 +20,8 @@ constexpr int kParts = 8;
 constexpr double kSmall = 0.25;
 // The cosine of an angle at which one direction goes along another: 45 degrees.
 constexpr double kAlong = std::numbers::sqrt2 / 2;
+// Directions that differ by less, in rad, can be those of one axis that moves a little.
+constexpr double kSame = 0.1;
 
 // The place of the least `f` between a and b, where it has one minimum (golden section).
 template <class Function>
@@ -390,7 +392,15 @@ void Crossings::decide_by_order(const ZeroOrder& order, double w, const Scale& s
   const Vector before = series(zero.begin - order.t).axis;
   const Vector after = series(zero.end - order.t).axis;
   // On the way from there the axis does not turn so far that it could be its opposite.
-  const bool holds = before.dot(after) > 0 &&
+  const auto borne_out = [&](double place, const Vector& foretold) {
+    const Vector there = m(place);
+    const double angle = norm(there.cross(foretold)) / norm(there);
+    const double missed = std::sin(crossing.distance / 2) / norm(there);
+    return norm(there) < scale.away ||
+           angle <= kSame + 4 * series.error(place - order.t).axis + 1.5 * missed;
+  };
+  const bool holds = before.dot(after) > 0 && series.error(0).axis <= kSame &&
+                     borne_out(zero.begin, before) && borne_out(zero.end, after) &&
                      passage(zero, before, after, scale.away) == expected &&
                      has_sizes(zero, series, order.t);
   if (holds || norm(m(zero.end)) < scale.away) {  // or the run ends there
@@ -422,15 +432,20 @@ void Crossings::decide_by_motion(const Scale& scale, bool contradicted, Crossing
     const auto seen = passage(zero, n, n, scale.away);
     crossing.kind = seen.value_or(Passage::kUndecided);
     const double sign = crossing.kind == Passage::kThrough ? -1 : 1;
-    if (seen) crossing.axis = sign * sign_of_turn(crossing.turn_before) * n;
+    const double turned = norm(n.cross(m(zero.begin))) / norm(m(zero.begin));
+    if (seen && turned <= kSame) crossing.axis = sign * sign_of_turn(crossing.turn_before) * n;
   }
   const auto [low, high] = around(crossing.t);
   const Derivatives omega = derivatives_at(omega_, crossing.t, low, high);
   const bool rests = is_zero(omega);
   crossing.t_error = std::abs(end - begin) / 2;
   if (contradicted && !rests) return;
-  crossing.note = why_no_limit(omega);
   crossing.order = std::nullopt;
+  crossing.note =
+      rests || crossing.axis.hasNaN()
+          ? why_no_limit(omega)
+          : "no derivative of omega is known to differ from zero there: how it goes on, "
+            "and the axis, are by the motion alone";
   if (rests) crossing.axis = kNoAxis;
 }
 
@@ -451,8 +466,14 @@ void Crossings::start_on_zero() {
     if (away) search_.first_turn -= 1;
     zero.sign = away ? -sign : sign;
     zero.limit = zero.axis(t).axis;
+    if (norm(start_axis_.cross(zero.limit)) > 1e-8) {
+      search_.note_of_start = "at the start: the axis goes on from " + text(zero.limit) +
+                              ", not from that of the start, which is at a multiple of 2 pi";
+    }
   } else if (zero.end == propagator_.t1) {
-    search_.settled = zero.end;  // it never leaves
+    search_.settled = zero.end;
+    search_.note_of_start =
+        "the body does not leave where it starts: its axis is that of the start";
     return;
   } else {
     search_.note_of_start = "at the start: " + why_no_limit(omega);

@@ -187,6 +187,32 @@ TEST_CASE("beside a zero the axis goes on as omega does, where that jumps too") 
   }
 }
 
+TEST_CASE("a jump or a kink of omega on the zero leaves no axis, or says what it goes by") {
+  // omega turns aside by 0.64 rad at t = 1, where theta = 2 pi: n jumps with it.
+  const auto aside =
+      function([](double t) { return t < 1 ? Vector(0, 0.6, 0.8) : Vector(0, 0, 1); });
+  for (const bool told : {true, false}) {
+    Scene request = scene(aside, 0, 2);
+    if (told) request.breaks = {1};
+    const Run run = evolve(request, Rotation(Vector(0, 0.6, 0.8), 2 * kPi - 1));
+    CAPTURE(told);
+    REQUIRE(run.crossings().size() == 1);
+    CHECK(run.crossings()[0].kind == Passage::kThrough);
+    CHECK(run.crossings()[0].axis.hasNaN());
+    CHECK(!run.crossings()[0].note.empty());
+    CHECK((run(0.9).axis - Vector(0, 0.6, 0.8)).norm() < 1e-9);
+    CHECK((run(1.1).axis - Vector(0, 0, 1)).norm() < 1e-9);
+  }
+  // omega along k changes sign by a jump: theta turns back, and no derivative tells.
+  const Run back =
+      evolve(scene(function([](double t) { return Vector(0, 0, t < 1 ? 1 : -1); }), 0, 2),
+             Rotation(Vector(0, 0, 1), -1));
+  REQUIRE(back.crossings().size() == 1);
+  CHECK(back.crossings()[0].kind == Passage::kBack);
+  CHECK_THAT(back.crossings()[0].note, Contains("by the motion alone"));
+  CHECK((back.crossings()[0].axis - Vector(0, 0, 1)).norm() < 1e-9);
+}
+
 TEST_CASE("a start at 2 pi k goes on with the axis that is nearer to its own") {
   // omega = (t^2, t, 0): n(0+) = +-j, n' = +-(2/3) i [Lemma 5.3, i = 1].
   const auto omega = function([](double t) { return Vector(t * t, t, 0); });
