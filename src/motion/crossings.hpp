@@ -96,6 +96,10 @@ class Crossings {
   const std::string& note_of_start() const { return search_.note_of_start; }
 
  private:
+  // Where |M| is as small as that, samples lie eight times nearer: M turns by less than 0.1 between
+  // two.
+  static constexpr double kSmall = 0.25;
+
   struct Sample {
     double t = 0;
     double size = std::numeric_limits<double>::infinity();  // |M|
