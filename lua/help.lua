@@ -103,28 +103,48 @@ local function in_lines(rows, under_type)
   return table.concat(cells, "\n")
 end
 
+-- The names alone, as many in a line as fit.
+local function in_names(rows, under_type)
+  local list = {}
+  for i, row in ipairs(rows) do list[i] = usage_in_list(row, under_type):match "^[^%s(]+" end
+  return text.wrap(table.concat(list, "  "), "  ")
+end
+
 local kTypeGroups = { { "Fields", "field" }, { "Methods", "method" }, { "Operators", "operator" },
   { "Functions", "function" }, { "Values", "value" } }
 
--- What a type's values can do, and where they come from: in lines where a screen has no room for paragraphs.
+-- What a type's values can do, and where they come from: in lines where a screen has no room for paragraphs, and its
+-- fields by their names where it has none for lines.
 local function about_type(name)
   local makers = names.select(function(row) return row.result == name and row.owner ~= name and row.kind ~= "field" end)
   for i, row in ipairs(makers) do makers[i] = names.full_name(row) end
   local made = makers[1] and ", made by " .. table.concat(makers, ", ") or ""
   local head = text.wrap((names.is_type(name) and "Type " or "Library ") .. name .. made, "", "    ")
-  local function parts(list, between)
+  local first
+  local function parts(list, between, list_fields)
     local all = { head }
     for _, group in ipairs(kTypeGroups) do
       -- That a value has a text goes without saying.
       local rows = names.select(function(row)
         return row.owner == name and row.kind == group[2] and not row.name:find "^tostring%("
       end)
-      if #rows > 0 then all[#all + 1] = between .. group[1] .. "\n" .. list(rows, group[2] ~= "function") end
+      if #rows > 0 then
+        first = first or names.full_name(rows[1])
+        local in_list = group[2] == "field" and list_fields or list
+        all[#all + 1] = between .. group[1] .. "\n" .. in_list(rows, group[2] ~= "function")
+      end
     end
     return table.concat(all, "\n")
   end
-  local long = parts(in_short, "\n")
-  return select(2, long:gsub("\n", "")) < kScreen - 1 and long or parts(in_lines, "")
+  local function fits(page, lines) return select(2, page:gsub("\n", "")) < lines end
+  local page = parts(in_short, "\n")
+  if fits(page, kScreen - 1) then return page end
+  page = parts(in_lines, "")
+  if not fits(page, kScreen - 2) then
+    local shorter = parts(in_lines, "", in_names)
+    page = fits(shorter, kScreen - 2) and shorter or page
+  end
+  return ('%s\nOne of them in full: help "%s"'):format(page, first)
 end
 
 local function about_rows(rows)

@@ -43,12 +43,19 @@ std::optional<std::size_t> first_not_zero(const Derivatives& omega, double t0) {
   return std::nullopt;
 }
 
-std::string why_no_limit(const Derivatives& omega) {
+std::string why_no_limit(const Derivatives& omega, bool steady, bool has_axis) {
   if (is_zero(omega)) {
     return "the body is at rest there, omega and its derivatives are zero: the axis has no limit";
   }
-  return "no derivative of omega is known to differ from zero there: the axis has no known limit" +
-         (omega.no_jets.empty() ? "" : " (" + omega.no_jets + ")");
+  if (!steady) {
+    return "the axis turns ever faster towards it, or faster than the run can tell: it has no "
+           "limit "
+           "that is known";
+  }
+  return "no derivative of omega is known to differ from zero there" +
+         (omega.no_jets.empty() ? "" : " (" + omega.no_jets + ")") +
+         (has_axis ? ": how it goes on, and the axis, are by the motion alone"
+                   : ": the axis has no limit that is known");
 }
 
 }  // namespace
@@ -86,8 +93,11 @@ void Crossings::settle(double t, double size) {
     search_.zeros.push_back(zero);
   }
   // A run that ends there has passed nothing.
-  if (zero.end == propagator_.t1 && norm(m(zero.end)) <= scale.nonzero) return;
-  search_.crossings.push_back(crossing);
+  if (zero.end == propagator_.t1 && norm(m(zero.end)) <= scale.nonzero) {
+    search_.note_of_end = crossing.note;
+  } else {
+    search_.crossings.push_back(crossing);
+  }
 }
 
 void Crossings::leave_undecided(const Scale& scale, Crossing& crossing) const {
@@ -118,6 +128,21 @@ std::optional<Passage> Crossings::passage(const Zero& zero, const Vector& expect
 bool Crossings::has_sizes(const Zero& zero, const AxisSeries& series, double t) const {
   const double ratio = norm(m(zero.end)) / series.size(zero.end - t);
   return ratio > 0.25 && ratio < 4;
+}
+
+// Whether M goes along that axis, but for its error and what it misses zero by, from where it comes
+// out of that error to `outer`: not where it spins without limit [P6].
+bool Crossings::keeps_to(const std::function<Vector(double)>& axis, const Crossing& crossing,
+                         double outer, const Scale& scale) const {
+  constexpr int kPlaces = 16;
+  const double aside = scale.lost + 2 * std::sin(crossing.distance / 2);
+  const double inner = reach(crossing.t, outer, 8 * scale.lost);
+  for (int part = 0; part < kPlaces; ++part) {
+    const double place = inner + (outer - inner) * part / kPlaces;
+    const Vector there = m(place);
+    if (norm(axis(place).cross(there)) > kSame * norm(there) + aside) return false;
+  }
+  return true;
 }
 
 void Crossings::decide(const Scale& scale, Crossing& crossing, Zero& zero) const {
@@ -157,11 +182,13 @@ void Crossings::decide_by_order(const ZeroOrder& order, double w, const Scale& s
     return norm(there) < scale.away ||
            angle <= kSame + 4 * series.error(place - order.t).axis + 1.5 * missed;
   };
-  const bool holds = before.dot(after) > 0 && series.error(0).axis <= kSame &&
-                     borne_out(zero.begin, before) && borne_out(zero.end, after) &&
-                     passage(zero, before, after, scale.away) == expected &&
-                     has_sizes(zero, series, order.t);
-  if (holds || norm(m(zero.end)) < scale.away) {  // or the run ends there
+  const auto along = [&](double place) { return series(place - order.t).axis; };
+  const bool agrees = series.error(0).axis <= kSame && borne_out(zero.begin, before) &&
+                      borne_out(zero.end, after) && keeps_to(along, crossing, zero.begin, scale) &&
+                      keeps_to(along, crossing, zero.end, scale);
+  const bool ends = norm(m(zero.end)) < scale.away;
+  if (agrees && (ends || (before.dot(after) > 0 && has_sizes(zero, series, order.t) &&
+                          passage(zero, before, after, scale.away) == expected))) {
     crossing.kind = expected;
     crossing.t = zero.t = order.t;
     zero.series = std::move(series);
@@ -184,8 +211,15 @@ void Crossings::decide_by_motion(const Scale& scale, bool contradicted, Crossing
   const double begin = reach(crossing.t, zero.begin, scale.zero);
   const double end = reach(crossing.t, zero.end, scale.zero);
   crossing.t = zero.t = begin + (end - begin) / 2;
+  crossing.t_error = std::abs(end - begin) / 2;
+  const auto is_steady = [&](double outer) {
+    const Vector last = m(outer);
+    return last.isZero(0) ||
+           keeps_to([n = unit(last)](double) { return n; }, crossing, outer, scale);
+  };
+  const bool steady = is_steady(zero.begin) && is_steady(zero.end);
   const Vector after = m(zero.end);
-  if (norm(after) >= scale.away) {
+  if (steady && norm(after) >= scale.away) {
     const Vector n = unit(after);
     const auto seen = passage(zero, n, n, scale.away);
     crossing.kind = seen.value_or(Passage::kUndecided);
@@ -196,15 +230,13 @@ void Crossings::decide_by_motion(const Scale& scale, bool contradicted, Crossing
   const auto [low, high] = around(crossing.t);
   const Derivatives omega = derivatives_at(omega_, crossing.t, low, high);
   const bool rests = is_zero(omega);
-  crossing.t_error = std::abs(end - begin) / 2;
-  if (contradicted && !rests) return;
-  crossing.order = std::nullopt;
-  crossing.note =
-      rests || crossing.axis.hasNaN()
-          ? why_no_limit(omega)
-          : "no derivative of omega is known to differ from zero there: how it goes on, "
-            "and the axis, are by the motion alone";
   if (rests) crossing.axis = kNoAxis;
+  if (contradicted && steady && !rests) {
+    if (crossing.axis.hasNaN()) crossing.note += "; the axis has no limit that is known";
+    return;
+  }
+  crossing.order = std::nullopt;
+  crossing.note = why_no_limit(omega, steady, !crossing.axis.hasNaN());
 }
 
 // The angle is a multiple of 2 pi and M = 0, exactly: the axis comes from omega alone.
@@ -228,13 +260,14 @@ void Crossings::start_on_zero() {
       search_.note_of_start = "at the start: the axis goes on from " + text(zero.limit) +
                               ", not from that of the start, which is at a multiple of 2 pi";
     }
-  } else if (zero.end == propagator_.t1) {
-    search_.settled = zero.end;
+  } else if (is_zero(omega) && !start_axis_.isZero(0)) {
+    zero.limit = start_axis_;
+    zero.rate = Vector::Zero();
     search_.note_of_start =
-        "the body does not leave where it starts: its axis is that of the start";
-    return;
+        "at the start: the body is at rest there, at a multiple of 2 pi: its "
+        "axis is that of the start until it leaves";
   } else {
-    search_.note_of_start = "at the start: " + why_no_limit(omega);
+    search_.note_of_start = "at the start: " + why_no_limit(omega, true, false);
   }
   search_.zeros.push_back(zero);
   search_.settled = zero.end;

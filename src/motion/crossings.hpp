@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -53,7 +54,8 @@ struct Zero {
   double high = t;   // to here
   std::optional<AxisSeries> series = std::nullopt;  // there n = sign * series
   double sign = 0;
-  Vector limit = kNoAxis;  // of n
+  Vector limit = kNoAxis;  // of n,
+  Vector rate = kNoAxis;   // and of n' where there is no series
 
   /// n and n' at t near it; needs a series.
   AxisSeries::Value axis(double at) const {
@@ -92,8 +94,9 @@ class Crossings {
   const Zero* zero_near(double t) const;
   /// The one that t itself is, as far as the error of M tells; else null.
   const Zero* zero_at(double t) const;
-  /// What is to be said about the axis at the start.
+  /// What is to be said about the axis at the start, and at an end that is a zero.
   const std::string& note_of_start() const { return search_.note_of_start; }
+  const std::string& note_of_end() const { return search_.note_of_end; }
 
  private:
   // Where |M| is as small as that, samples lie eight times nearer: M turns by less than 0.1 between
@@ -126,6 +129,7 @@ class Crossings {
     std::vector<Zero> zeros;
     std::vector<Crossing> crossings;
     std::string note_of_start;
+    std::string note_of_end;
   };
 
   Vector m(double t) const { return propagator_(t, start_).vec(); }
@@ -151,6 +155,8 @@ class Crossings {
   void decide(const Scale& scale, Crossing& crossing, Zero& zero) const;
   std::optional<Passage> passage(const Zero& zero, const Vector& expected_before,
                                  const Vector& expected_after, double away) const;
+  bool keeps_to(const std::function<Vector(double)>& axis, const Crossing& crossing, double outer,
+                const Scale& scale) const;
   bool has_sizes(const Zero& zero, const AxisSeries& series, double t) const;
   void decide_by_order(const ZeroOrder& order, double w, const Scale& scale, Crossing& crossing,
                        Zero& zero) const;

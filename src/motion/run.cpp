@@ -36,7 +36,7 @@ Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
   if (flow == nullptr) return;
   const Vector direction = sense() * flow->direction();
   if (const auto* constant = omega_.as<ConstantSpin>(); constant && constant->value(0).isZero(0)) {
-    fixed_axis_ = 1;
+    fixed_axis_ = turn_.on_zero ? 0 : 1;
   } else if (from_.angle() == 0) {
     // From the identity the body turns about omega, whatever axis it was given.
     fixed_axis_ = forward() * flow->rate(t0()) < 0 ? -1 : 1;
@@ -154,7 +154,7 @@ Vector Run::axis_rate_at(const State& state, const Vector& omega) const {
     }
     crossings_.look_until(state.t, {});  // the state of the start is known without
     const Zero* const zero = crossings_.zero_at(state.t);
-    if (zero != nullptr && !zero->series) return kNoAxis;
+    if (zero != nullptr && !zero->series) return zero->rate;
   }
   return sine == 0 ? kNoAxis : axis_rate(state.axis, Extended{state.quaternion.w()} / sine, omega);
 }
@@ -193,12 +193,18 @@ std::vector<Crossing> Run::crossings(const Observer& observer) const {
   return result;
 }
 
-// theta passes through every multiple of 2 pi between its ends.
+// theta passes through every multiple of 2 pi between its ends: not through one that it starts or
+// ends at, as far as its rounding tells.
 std::vector<Crossing> Run::uniform_crossings(const UniformTurn& flow) const {
   std::vector<Crossing> result;
   if (flow.rate() == 0) return result;
-  const Extended begin = fixed_axis_angle(t0()) / kTwoPi;
-  const Extended end = fixed_axis_angle(t1()) / kTwoPi;
+  Extended begin = fixed_axis_angle(t0()) / kTwoPi;
+  Extended end = fixed_axis_angle(t1()) / kTwoPi;
+  if (turn_.on_zero) begin = std::round(begin);
+  const double rounding = kEpsilon * static_cast<double>(std::abs(end * kTwoPi));
+  if (std::abs(end - std::round(end)) * kTwoPi <= crossing_tolerance() + rounding) {
+    end = std::round(end);
+  }
   if (std::abs(end - begin) > 1e6L) {
     throw std::length_error("crossings: about " +
                             text(static_cast<double>(std::abs(end - begin)), 3) +
@@ -236,6 +242,9 @@ std::vector<std::string> Run::notes(const Observer& observer) const {
   for (const Crossing& crossing : list) {
     if (!crossing.note.empty())
       result.push_back("at t = " + text(crossing.t) + ": " + crossing.note);
+  }
+  if (fixed_axis_ == 0 && !crossings_.note_of_end().empty()) {
+    result.push_back("at the end: " + crossings_.note_of_end());
   }
   return result;
 }

@@ -244,7 +244,8 @@ constexpr Entry kFields[] = {
      ROTOR_RUN ".cost.steps --> 0"},
     {"crossings", bound<crossings>, "run.crossings -> table",
      "Where the angle comes to a multiple of 2 pi, and how it goes on: a list. Looked for when it, "
-     "or an axis or angle, is first asked for.",
+     "or an axis or angle, is first asked for. A multiple that the run starts or ends at, to the "
+     "rounding of the angle or to run.crossing_tolerance, is none.",
      "#" ROTOR_RUN ".crossings --> 1"},
     {"crossing_tolerance", bound<crossing_tolerance>, "run.crossing_tolerance -> number",
      "How near to 2 pi k, rad, the angle comes where it is a crossing; from four times that on (or "
@@ -252,9 +253,9 @@ constexpr Entry kFields[] = {
      "or as given to evolve.",
      ROTOR_RUN ".crossing_tolerance < 1e-13 --> true"},
     {"notes", bound<notes>, "run.notes -> table",
-     "What is to be said of the axis at the start and of the crossings: where it has no limit and "
-     "why, what is undecided, where the motion and the derivatives of omega disagree. Mostly "
-     "empty.",
+     "What is to be said of the axis at the start, of the crossings and of the end: where the axis "
+     "has no limit and why, what is undecided, where the motion and the derivatives of omega "
+     "disagree. Mostly empty.",
      "#" ROTOR_RUN ".notes --> 0"},
 };
 

@@ -61,8 +61,8 @@ TEST_CASE("from the identity the body turns about omega, whatever it is") {
 }
 
 TEST_CASE("without omega nothing moves") {
-  for (const Rotation& from :
-       {Rotation(), Rotation(Vector(1, 2, 3), 7), Rotation(Vector(0, 1, 0), -1)}) {
+  for (const Rotation& from : {Rotation(Vector(0, 0, 1), 2 * kPi), Rotation(Vector(1, 2, 3), 7),
+                               Rotation(Vector(0, 1, 0), -1)}) {
     for (const bool function : {false, true}) {
       const Run run = evolve(
           scene(function ? as_function(Vector::Zero()) : AngularVelocity(Vector(0, 0, 0)), 0, 1e9),
