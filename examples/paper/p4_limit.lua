@@ -18,7 +18,9 @@ local cases = {
     fraction = function() return 1/2 end, limit = 1/2 },
 }
 local own = arg[1] or "theta + theta^3/5"
-cases[#cases + 1] = { name = own, f = assert(load("local theta = ...; return " .. own)) }
+local own_f, problem = load("local theta = ...; return " .. own, "=" .. own)
+if not own_f then error("f(theta) is expected, such as sin(theta/3): " .. problem, 0) end
+cases[#cases + 1] = { name = own, f = own_f }
 
 -- f, f', f'' ... at theta, exact but for rounding.
 local function derivatives(f, theta)
