@@ -30,15 +30,15 @@ bool is_zero(const Derivatives& omega) {
 double factorial(std::size_t n) { return std::tgamma(static_cast<double>(n) + 1); }
 
 // The order of the first derivative at the start: a lower one is zero where it is no more than what
-// terms of the size of t0 leave when they cancel.
+// the next one makes of the rounding of t0.
 std::optional<std::size_t> first_not_zero(const Derivatives& omega, double t0) {
   for (std::size_t i = 0; i < Derivatives::kCount; ++i) {
-    double size = 0;
-    for (std::size_t k = i + 1; k < Derivatives::kCount; ++k) {
-      if (!omega.differs_from_zero(k)) continue;
-      size += norm(omega.c[k]) * std::pow(std::abs(t0), static_cast<double>(k - i));
+    const double next = i + 1 < Derivatives::kCount && omega.differs_from_zero(i + 1)
+                            ? static_cast<double>(i + 1) * norm(omega.c[i + 1])
+                            : 0;
+    if (omega.differs_from_zero(i) && norm(omega.c[i]) > 4 * kEpsilon * next * std::abs(t0)) {
+      return i;
     }
-    if (omega.differs_from_zero(i) && norm(omega.c[i]) > 64 * kEpsilon * size) return i;
   }
   return std::nullopt;
 }
@@ -130,9 +130,10 @@ bool Crossings::has_sizes(const Zero& zero, const AxisSeries& series, double t) 
   return ratio > 0.25 && ratio < 4;
 }
 
-// Whether M goes along that axis, but for its error and what it misses zero by, from where it comes
-// out of that error to `outer`: not where it spins without limit [P6].
-bool Crossings::keeps_to(const std::function<Vector(double)>& axis, const Crossing& crossing,
+// Whether M goes along that axis, known to `slack`, but for its error and what it misses zero by,
+// from where it comes out of that error to `outer`: not where it spins without limit [P6].
+bool Crossings::keeps_to(const std::function<Vector(double)>& axis,
+                         const std::function<double(double)>& slack, const Crossing& crossing,
                          double outer, const Scale& scale) const {
   constexpr int kPlaces = 16;
   const double aside = scale.lost + 2 * std::sin(crossing.distance / 2);
@@ -140,7 +141,7 @@ bool Crossings::keeps_to(const std::function<Vector(double)>& axis, const Crossi
   for (int part = 0; part < kPlaces; ++part) {
     const double place = inner + (outer - inner) * part / kPlaces;
     const Vector there = m(place);
-    if (norm(axis(place).cross(there)) > kSame * norm(there) + aside) return false;
+    if (norm(axis(place).cross(there)) > slack(place) * norm(there) + aside) return false;
   }
   return true;
 }
@@ -174,18 +175,22 @@ void Crossings::decide_by_order(const ZeroOrder& order, double w, const Scale& s
   const Passage expected = odd ? Passage::kBack : Passage::kThrough;
   const Vector before = series(zero.begin - order.t).axis;
   const Vector after = series(zero.end - order.t).axis;
+  const auto along = [&](double place) { return series(place - order.t).axis; };
+  // Never so much that any axis would do.
+  const auto slack = [&](double place) {
+    return kSame + std::min(4 * series.error(place - order.t).axis, 2 * kSame);
+  };
   // On the way from there the axis does not turn so far that it could be its opposite.
   const auto borne_out = [&](double place, const Vector& foretold) {
     const Vector there = m(place);
     const double angle = norm(there.cross(foretold)) / norm(there);
     const double missed = std::sin(crossing.distance / 2) / norm(there);
-    return norm(there) < scale.away ||
-           angle <= kSame + 4 * series.error(place - order.t).axis + 1.5 * missed;
+    return norm(there) < scale.away || angle <= slack(place) + 1.5 * missed;
   };
-  const auto along = [&](double place) { return series(place - order.t).axis; };
   const bool agrees = series.error(0).axis <= kSame && borne_out(zero.begin, before) &&
-                      borne_out(zero.end, after) && keeps_to(along, crossing, zero.begin, scale) &&
-                      keeps_to(along, crossing, zero.end, scale);
+                      borne_out(zero.end, after) &&
+                      keeps_to(along, slack, crossing, zero.begin, scale) &&
+                      keeps_to(along, slack, crossing, zero.end, scale);
   const bool ends = norm(m(zero.end)) < scale.away;
   if (agrees && (ends || (before.dot(after) > 0 && has_sizes(zero, series, order.t) &&
                           passage(zero, before, after, scale.away) == expected))) {
@@ -214,8 +219,8 @@ void Crossings::decide_by_motion(const Scale& scale, bool contradicted, Crossing
   crossing.t_error = std::abs(end - begin) / 2;
   const auto is_steady = [&](double outer) {
     const Vector last = m(outer);
-    return last.isZero(0) ||
-           keeps_to([n = unit(last)](double) { return n; }, crossing, outer, scale);
+    return last.isZero(0) || keeps_to([n = unit(last)](double) { return n; },
+                                      [](double) { return kSame; }, crossing, outer, scale);
   };
   const bool steady = is_steady(zero.begin) && is_steady(zero.end);
   const Vector after = m(zero.end);
@@ -263,6 +268,10 @@ void Crossings::start_on_zero() {
   } else if (is_zero(omega) && !start_axis_.isZero(0)) {
     zero.limit = start_axis_;
     zero.rate = Vector::Zero();
+    // The axis does not jump to the opposite where the body leaves.
+    if (sign_of_turn(search_.first_turn) * m(zero.end).dot(start_axis_) < 0) {
+      search_.first_turn -= 1;
+    }
     search_.note_of_start =
         "at the start: the body is at rest there, at a multiple of 2 pi: its "
         "axis is that of the start until it leaves";

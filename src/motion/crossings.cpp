@@ -46,7 +46,7 @@ Crossings::Crossings(AngularVelocity omega, Propagator propagator, const Rotatio
                      const StartTurn& turn, std::optional<double> tolerance)
     : omega_(std::move(omega)),
       propagator_(std::move(propagator)),
-      start_(start.quaternion()),
+      start_(turn.quaternion(start)),
       start_axis_(start.angle() == 0 ? Vector(Vector::Zero()) : start.axis()),
       turn_(turn),
       tolerance_(tolerance) {
@@ -146,7 +146,7 @@ void Crossings::look_until(double t, const Observer& observer) {
   const bool watched = observer && !propagator_.stop;
   // A minimum is seen when |M| rises again.
   while (search_.next < search_.spans.size() && (!ahead(t, search_.spans[search_.next].begin) ||
-                                                 search_.last.size < search_.before.size)) {
+                                                 search_.last.size <= search_.before.size)) {
     const TimeSpan span = search_.spans[search_.next];
     if (watched && !observer(span.begin)) throw Interrupted();
     if (search_.next == 0 || ahead(search_.last.t, span.begin)) {
@@ -197,7 +197,10 @@ void Crossings::finish() {
 
 void Crossings::look_between(double ta, double tb) {
   const double t = least_between(ta, tb);
-  if (ahead(t, search_.settled) || norm(m(t)) > scale_of(t, error_of_m()).nonzero) return;
+  // Beside a near miss that is no farther than M goes between two samples there may be a zero.
+  const double hidden = std::abs(tb - ta) * norm(propagator_.flow->generator(t));
+  const double nonzero = scale_of(t, error_of_m()).nonzero;
+  if (ahead(t, search_.settled) || norm(m(t)) > std::max(nonzero, hidden)) return;
   std::vector<double> minima = minima_about(t, 4 * std::abs(tb - ta));
   std::sort(minima.begin(), minima.end(), [this](double a, double b) { return ahead(a, b); });
   for (const double place : minima) {

@@ -155,7 +155,8 @@ class Crossings {
   void decide(const Scale& scale, Crossing& crossing, Zero& zero) const;
   std::optional<Passage> passage(const Zero& zero, const Vector& expected_before,
                                  const Vector& expected_after, double away) const;
-  bool keeps_to(const std::function<Vector(double)>& axis, const Crossing& crossing, double outer,
+  bool keeps_to(const std::function<Vector(double)>& axis,
+                const std::function<double(double)>& slack, const Crossing& crossing, double outer,
                 const Scale& scale) const;
   bool has_sizes(const Zero& zero, const AxisSeries& series, double t) const;
   void decide_by_order(const ZeroOrder& order, double w, const Scale& scale, Crossing& crossing,

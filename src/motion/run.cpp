@@ -28,8 +28,8 @@ Run::Run(AngularVelocity omega, Propagator propagator, const Rotation& from,
       propagator_(std::move(propagator)),
       from_(from),
       points_(std::move(points)),
-      start_(from.quaternion()),
       turn_(turn_of_start(from)),
+      start_(turn_.quaternion(from)),
       axis_(from.axis()),
       crossings_(omega_, propagator_, from, turn_, crossing_tolerance) {
   const FixedAxisFlow* flow = propagator_.fixed_axis();
@@ -201,7 +201,9 @@ std::vector<Crossing> Run::uniform_crossings(const UniformTurn& flow) const {
   Extended begin = fixed_axis_angle(t0()) / kTwoPi;
   Extended end = fixed_axis_angle(t1()) / kTwoPi;
   if (turn_.on_zero) begin = std::round(begin);
-  const double rounding = kEpsilon * static_cast<double>(std::abs(end * kTwoPi));
+  const double of_t =
+      kEpsilon * (std::abs(t0()) + std::abs(t1())) * std::abs(static_cast<double>(flow.rate()));
+  const double rounding = kEpsilon * static_cast<double>(std::abs(end * kTwoPi)) + of_t;
   if (std::abs(end - std::round(end)) * kTwoPi <= crossing_tolerance() + rounding) {
     end = std::round(end);
   }
@@ -218,7 +220,7 @@ std::vector<Crossing> Run::uniform_crossings(const UniformTurn& flow) const {
     Crossing crossing;
     crossing.t = static_cast<double>(t0() + (kTwoPi * k - from_.angle()) / rate);
     crossing.t_error = propagator_.error_estimate / std::abs(static_cast<double>(rate)) +
-                       kEpsilon * std::abs(crossing.t);
+                       kEpsilon * (std::abs(t0()) + std::abs(crossing.t));
     crossing.kind = Passage::kThrough;
     crossing.multiple = turn;
     crossing.turn_before = up > 0 ? turn - 1 : turn;

@@ -106,8 +106,8 @@ class Run {
   Propagator propagator_;
   Rotation from_;
   std::vector<Vector> points_;
-  Quaternion start_;
   StartTurn turn_;  // the turns of crossings_ are those of its psi
+  Quaternion start_;
   // +1 or -1: a turn about plus or minus the axis of the start; 0: no such thing.
   double fixed_axis_ = 0;
   Vector axis_;  // the axis of the start; about a fixed axis, of the whole motion

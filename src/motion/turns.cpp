@@ -29,6 +29,10 @@ Extended angle_in_turn(double turn, Extended m0, Extended m) {
                 : kTwoPi * (turn + 1) - 2 * std::atan2(m, -c);
 }
 
+Quaternion StartTurn::quaternion(const Rotation& start) const {
+  return on_zero ? Quaternion(sign_of_turn(turn), 0, 0, 0) : start.quaternion();
+}
+
 StartTurn turn_of_start(const Rotation& start) {
   const Quaternion q = start.quaternion();
   const double sine = q.vec().dot(start.axis());

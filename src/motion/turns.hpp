@@ -17,6 +17,9 @@ struct StartTurn {
   double turn;
   /// theta is a multiple of 2 pi to the rounding of it (then psi = 2 pi turn): M is zero.
   bool on_zero;
+
+  /// Of `start`: exactly 1 or -1 where M is zero, else the residue would turn up as a motion.
+  Quaternion quaternion(const Rotation& start) const;
 };
 StartTurn turn_of_start(const Rotation& start);
 

@@ -141,3 +141,10 @@ TEST_CASE("a function along a fixed direction swings through zero and keeps its 
     }
   }
 }
+
+TEST_CASE("a constant omega that ends on 2 pi k has not crossed it, whenever it began") {
+  const double rate = 292.97346892601416;
+  const double t1 = 100.17157008326284;  // 8 turns after 100, to the rounding of t
+  const Run run = evolve(scene(Vector(0, 0, rate), 100, t1), Rotation());
+  CHECK(run.crossings().size() == 7);
+}

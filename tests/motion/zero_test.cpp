@@ -335,3 +335,82 @@ TEST_CASE("the order of a zero is what M shows above its error") {
   CHECK(order([](double) { return Vector(0, 0, 0); }, 1, 1e-12) == -1);
   CHECK(order(pathological, 0, 1e-12) == -1);
 }
+
+TEST_CASE("a start on 2 pi k long after t = 0 goes with omega as any other") {
+  // n = omega/|omega| from the identity, and theta up from where n is that already [Lemma 5.3].
+  const auto omega = [](double t) { return Vector(std::cos(5 * t), std::sin(5 * t), 1); };
+  for (const double t0 : {1.0, 43.0, 300.0, 1e6}) {
+    CAPTURE(t0);
+    const Vector n = omega(t0).normalized();
+    const Run run = evolve(scene(function(omega), t0, t0 + 2), Rotation());
+    CHECK((run(t0).axis - n).norm() < 1e-9 + 5 * kEpsilon * t0);
+    CHECK(run.rates(run(t0), omega(t0)).angle_rate == Approx(std::sqrt(2)).epsilon(1e-9));
+    const Run turned = evolve(scene(function(omega), t0, t0 + 2), Rotation(n, 2 * kPi));
+    CHECK(turned(t0 + 0.01).angle == Approx(2 * kPi + 0.01 * std::sqrt(2)).epsilon(1e-6));
+    CHECK(turned(t0 + 0.01).axis.dot(n) > 0.99);
+  }
+}
+
+TEST_CASE("a zero beside a near miss, between the same two samples, is found") {
+  // omega = (a + t, 0.131 t, 0) is nearly zero at t = -a, and M nearly at -2 a; at 0 it is.
+  const auto omega = function([](double t) { return Vector(0.0002573 + t, 0.131 * t, 0); });
+  constexpr double kBegin = -1.4380108672586274;
+  for (const Method method : {Method::kFgl, Method::kDop853}) {
+    const Rotation there = evolve(scene(omega, kBegin, 0, 1e-14), Rotation())(0).rotation();
+    Scene request = scene(omega, kBegin, 1.9408439164841624);
+    request.method = method;
+    const Run run = evolve(request, there.inverse());
+    CAPTURE(static_cast<int>(method));
+    REQUIRE(run.crossings().size() == 1);
+    CHECK(run.crossings()[0].kind == Passage::kThrough);
+    CHECK(std::abs(run.crossings()[0].t) <= run.crossings()[0].t_error);
+    CHECK(run(-1e-6).axis.dot(run(1e-6).axis) > 0.99);
+  }
+}
+
+TEST_CASE("after many turns the rounding of the start is no motion") {
+  const Vector k(0, 0, 1);
+  const auto faster = function([](double t) { return Vector(0, 0, 1 + 0.1 * t); });
+  for (const double turns : {4.0, 60.0, 330.0, 1000.0, -1000.0, 31831.0}) {
+    CAPTURE(turns);
+    const double start = 2 * kPi * turns;
+    const Run run = evolve(scene(faster, 0, 2), Rotation(k, start));
+    CHECK(run.crossings().empty());
+    for (const double t : {1e-15, 0.5, 2.0}) {
+      CHECK((run(t).axis - k).norm() < 1e-9);
+      CHECK(std::abs(run(t).angle - (start + t + 0.05 * t * t)) <
+            1e-12 + kEpsilon * std::abs(start));
+    }
+    const Run rest = evolve(scene(Vector(0, 0, 0), 0, 2), Rotation(k, start));
+    CHECK(rest(1).axis == k);
+  }
+}
+
+TEST_CASE("from a rest at 2 pi a body leaves upward or downward, as its axis goes on") {
+  for (const double side : {1.0, -1.0}) {
+    const auto omega =
+        function([side](double t) { return Vector(0, 0, t < 1 ? 0 : side * (t - 1)); });
+    Scene request = scene(omega, 0, 3);
+    request.breaks = {1};
+    const Run run = evolve(request, Rotation(Vector(0, 0, 1), 2 * kPi));
+    CAPTURE(side);
+    CHECK((run(0.5).axis - Vector(0, 0, 1)).norm() == 0);
+    CHECK((run(3).axis - Vector(0, 0, 1)).norm() < 1e-12);
+    CHECK(run(3).angle == Approx(2 * kPi + 2 * side).epsilon(1e-12));
+    CHECK(run.crossings().empty());
+  }
+}
+
+TEST_CASE("a state at rest on 2 pi k does not depend on what was asked before") {
+  const auto omega = function(
+      [](double t) { return t < 1 ? Vector(0, 0, 2 * kPi) : Vector(t < 2 ? 0 : 1, 0, 0); });
+  Scene request = scene(omega, 0, 4);
+  request.breaks = {1, 2};
+  for (const double t : {1.0, 1.2, 1.5, 1.9}) {
+    const Run fresh = evolve(request, Rotation());
+    const Run asked = evolve(request, Rotation());
+    CHECK(asked.crossings().size() == 1);
+    CAPTURE(t);
+    CHECK(fresh(t).axis.hasNaN() == asked(t).axis.hasNaN());
+  }
+}
