@@ -1,12 +1,46 @@
 #include "dynamics/strobe.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "motion/times.hpp"
 #include "rotation/text.hpp"
 
 namespace rotor {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr Extended kTwoPi = 2 * std::numbers::pi_v<Extended>;
+
+// What the motion has done since the first of the times: V^k.
+std::vector<Quaternion> turns_since_first(const Run& run, std::span<const double> times) {
+  const Quaternion back = run.attitude(times.front()).quaternion.conjugate();
+  std::vector<Quaternion> turns;
+  turns.reserve(times.size());
+  for (const double t : times) {
+    const Quaternion q = run.attitude(t).quaternion;
+    turns.push_back(run.propagator().frame == Frame::kSpace ? q * back : back * q);
+  }
+  return turns;
+}
+
+// The angle by which the points go on, rad, from V^k at k = 1, 2, 4, ...: each is known to its
+// error / k.
+Extended angle_of_advance(std::span<const Quaternion> turns, const Vector& axis) {
+  Extended beta = 0;
+  for (std::size_t k = 1; k < turns.size(); k *= 2) {
+    const Extended seen = std::atan2(Extended{axis.dot(turns[k].vec())}, Extended{turns[k].w()});
+    const auto count = static_cast<Extended>(k);
+    beta += std::remainder(seen - count * beta, kTwoPi) / count;
+  }
+  return beta;
+}
+
+}  // namespace
 
 std::vector<double> strobe_times(const Run& run, double period) {
   const double length = std::abs(run.t1() - run.t0());
@@ -17,6 +51,91 @@ std::vector<double> strobe_times(const Run& run, double period) {
                                 text(run.t0()) + " .. " + text(run.t1()));
   }
   return times_every(run.t0(), run.t1(), period);
+}
+
+StrobeCircle strobe_circle(const Run& run, std::span<const double> times) {
+  const std::vector<Quaternion> turns = turns_since_first(run, times);
+  const double error = run.propagator().error_estimate + 8 * kEpsilon;
+  // The turn that is known best is the one farthest from 1 and -1.
+  const auto farthest =
+      std::max_element(turns.begin(), turns.end(), [](const Quaternion& a, const Quaternion& b) {
+        return a.vec().squaredNorm() < b.vec().squaredNorm();
+      });
+  StrobeCircle circle{kNoAxis, 0, 0, 0, false};
+  const bool turned = norm(farthest->vec()) > 4 * error;
+  Vector axis = turned ? unit(farthest->vec()) : Vector(Vector::UnitX());
+  if (axis.dot(run.propagator().flow->generator(times.front())) *
+          (run.propagator().frame == Frame::kSpace ? 1 : -1) <
+      0) {
+    axis = -axis;
+  }
+  if (turned) circle.axis = axis.array() + 0.0;  // no -0
+  const Extended beta = angle_of_advance(turns, axis);
+  const Extended turn = beta / kTwoPi;
+  circle.rotation_number = static_cast<double>(turn - std::floor(turn));
+  if (circle.rotation_number >= 1) circle.rotation_number = 0;
+  const auto last = static_cast<double>(turns.size() - 1);
+  // Of the last power of two, half the points at least.
+  circle.error = error / static_cast<double>(kTwoPi) / std::max(1.0, last / 2) +
+                 kEpsilon * circle.rotation_number;
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    const Extended angle = static_cast<Extended>(k) * beta;
+    const Vector sine = axis * static_cast<double>(std::sin(angle));
+    circle.off =
+        std::max(circle.off, std::hypot(turns[k].w() - static_cast<double>(std::cos(angle)),
+                                        norm(Vector(turns[k].vec() - sine))));
+  }
+  // Both the points and what is foretold of them are off by as much; the axis by what the turn is
+  // off over its sine.
+  circle.closes = circle.off <= 8 * error;
+  return circle;
+}
+
+Plane plane_of_m(const Run& run, std::span<const double> times) {
+  std::vector<Vector> points;
+  points.reserve(times.size());
+  Matrix sum = Matrix::Zero();
+  for (const double t : times) {
+    const Vector& m = points.emplace_back(run.attitude(t).modified_gibbs());
+    sum += m * m.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(sum);
+  Vector normal = solver.eigenvectors().col(0);  // that of the least eigenvalue
+  for (int i = 2; i >= 0; --i) {
+    if (std::abs(normal(i)) <= kEpsilon) continue;
+    if (normal(i) < 0) normal = -normal;
+    break;
+  }
+  Plane plane{normal, 0};
+  for (const Vector& m : points) plane.off = std::max(plane.off, std::abs(normal.dot(m)));
+  return plane;
+}
+
+std::vector<std::size_t> return_times(const Run& run, std::span<const double> times,
+                                      double distance, Norm norm, const Observer& observer) {
+  if (!(distance > 0)) {
+    throw std::invalid_argument("the distance must be positive, got " + text(distance));
+  }
+  const bool in_chart = norm == Norm::kEulerVector;
+  const auto state = [&](double t) { return in_chart ? run(t, observer) : run.attitude(t); };
+  const State first = state(times.front());
+  const Vector e = first.euler_vector();
+  std::vector<std::size_t> gaps;
+  std::size_t last = 0;
+  std::size_t k = 0;
+  visit_times(times, observer, [&](double t) {
+    const State here = state(t);
+    const Quaternion between = first.quaternion.conjugate() * here.quaternion;
+    const double apart =
+        in_chart ? rotor::norm(Vector(here.euler_vector() - e))
+                 : 2 * std::atan2(rotor::norm(Vector(between.vec())), std::abs(between.w()));
+    if (apart < distance && k > 0) {
+      gaps.push_back(k - last);
+      last = k;
+    }
+    ++k;
+  });
+  return gaps;
 }
 
 }  // namespace rotor

@@ -1,6 +1,8 @@
 // The stroboscopic map: a motion at times a period apart.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "motion/run.hpp"
@@ -10,5 +12,39 @@ namespace rotor {
 /// t0, t0 + T, ... in the order of the motion. Throws std::invalid_argument unless T is positive
 /// and no longer than the run, and where there would be more than 1e8.
 std::vector<double> strobe_times(const Run& run, double period);
+
+/// If omega has the period T, and V is what the motion does in one, q_k = V^k q0 (in the body frame
+/// q0 V^k): the points lie on a great circle of the unit quaternions, and go on along it by half
+/// the angle of V each time [theory 4.3].
+struct StrobeCircle {
+  Vector axis;             // of V, with axis . omega(t0) >= 0; NaN where V = 1 or -1
+  double rotation_number;  // half the angle of V about that axis, in turns: in [0, 1)
+  double error;            // of the rotation number
+  double off;              // the greatest |q_k - V^k q0|, as found
+  bool closes;             // whether that is within the error of the run: whether omega repeats
+};
+
+/// Measured on the points at `times`, a period apart, two at least.
+StrobeCircle strobe_circle(const Run& run, std::span<const double> times);
+
+/// The plane through the origin that is nearest to the points of M = n sin(theta/2) (least
+/// squares).
+struct Plane {
+  Vector normal;  // unit, its last component that is not 0 positive
+  double off;     // the greatest distance of a point
+};
+Plane plane_of_m(const Run& run, std::span<const double> times);
+
+/// Distances between two states.
+enum class Norm {
+  kEulerVector,  // |E1 - E2|
+  kRotation      // the angle from one attitude to the other, in [0, pi]
+};
+
+/// How many points pass between one that is within `distance` of the first, and the next: in their
+/// order. On a circle there are at most three different ones, the greatest the sum of the others.
+/// Throws std::invalid_argument unless the distance is positive.
+std::vector<std::size_t> return_times(const Run& run, std::span<const double> times,
+                                      double distance, Norm norm, const Observer& observer = {});
 
 }  // namespace rotor

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "output/page.hpp"
 #include "output/scale.hpp"
 #include "output/trace.hpp"
 #include "output/utf8.hpp"
@@ -151,60 +152,18 @@ class Grid {
   std::vector<unsigned> cells_;
 };
 
-/// Lines of at most `width` columns without blanks at their ends.
-class Page {
- public:
-  explicit Page(std::size_t width) : width_(width) {}
-
-  void line(std::string_view content) {
-    content = utf8_prefix(content, width_);
-    text_.append(content, 0, content.find_last_not_of(' ') + 1).append("\n");
-  }
-
-  /// In the middle of what is right of `margin` columns, if there is any content.
-  void centred(std::string_view content, std::size_t margin) {
-    if (content.empty()) return;
-    const std::size_t size = std::min(utf8_count(content), width_);
-    const std::size_t room = width_ - margin;
-    const std::size_t start = size <= room ? margin + (room - size) / 2 : width_ - size;
-    line(std::string(start, ' ').append(content));
-  }
-
-  void legend(std::span<const Series> series) {
-    std::string entries;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-      const std::string entry = std::string{kMarks[i], ' '} + series[i].name;
-      if (i > 0 && utf8_count(entries) + kGap + utf8_count(entry) > width_) {
-        line(entries);
-        entries.clear();
-      }
-      if (!entries.empty()) entries.append(kGap, ' ');
-      entries += entry;
+void add_legend(Page& page, std::span<const Series> series) {
+  std::string entries;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const std::string entry = std::string{kMarks[i], ' '} + series[i].name;
+    if (i > 0 && utf8_count(entries) + kGap + utf8_count(entry) > page.width()) {
+      page.line(entries);
+      entries.clear();
     }
-    line(entries);
+    if (!entries.empty()) entries.append(kGap, ' ');
+    entries += entry;
   }
-
-  std::string take() { return std::move(text_); }
-
- private:
-  std::size_t width_;
-  std::string text_;
-};
-
-std::size_t longest(const std::vector<std::string>& labels) {
-  std::size_t longest = 0;
-  for (const std::string& label : labels) longest = std::max(longest, label.size());
-  return longest;
-}
-
-void rows_with_labels(Page& page, const Grid& grid, const VerticalScale& up, std::size_t size) {
-  std::vector<std::string> labels(static_cast<std::size_t>(up.rows));
-  for (std::size_t i = 0; i < up.labels.size(); ++i)
-    labels[static_cast<std::size_t>(up.tick_rows[i])] = up.labels[i];
-  for (int row = up.rows - 1; row >= 0; --row) {
-    const std::string& label = labels[static_cast<std::size_t>(row)];
-    page.line(std::string(size - label.size(), ' ') + label + " |" + grid.row(row));
-  }
+  page.line(entries);
 }
 
 /// The picture of places along the axes.
@@ -213,8 +172,7 @@ std::string drawn(std::span<const double> x, std::span<const Series> series,
   const Spacing x_spacing = options.log_x ? Spacing::kLogarithmic : Spacing::kLinear;
   const Spacing y_spacing = options.log_y ? Spacing::kLogarithmic : Spacing::kLinear;
   const VerticalScale up = vertical_scale(extent_of(series, y_spacing), options.height, y_spacing);
-  const std::size_t label_size = longest(up.labels);
-  const std::size_t margin = label_size + 2;
+  const std::size_t margin = margin_of(up);
   const int columns = options.width - static_cast<int>(margin);
   if (columns < kLeastColumns)
     refuse("width must be at least " + std::to_string(options.width - columns + kLeastColumns) +
@@ -224,17 +182,14 @@ std::string drawn(std::span<const double> x, std::span<const Series> series,
   Grid grid(across, up, series.size());
   for (std::size_t i = 0; i < series.size(); ++i) grid.draw(x, series[i], static_cast<unsigned>(i));
 
-  const BottomAxis axis = bottom_axis(across, margin);
   Page page(static_cast<std::size_t>(options.width));
   page.centred(options.title, margin);
   const bool is_named = !options.y_label.empty() || series.size() > 1;
   const std::string& y_label = is_named ? options.y_label : series.front().name;
   if (!y_label.empty()) page.line(y_label);
-  rows_with_labels(page, grid, up, label_size);
-  page.line(std::string(margin - 1, ' ') + '+' + axis.line);
-  page.line(axis.labels);
+  page.frame(up, across, [&](int row) { return grid.row(row); });
   page.centred(options.x_label, margin);
-  if (series.size() > 1) page.legend(series);
+  if (series.size() > 1) add_legend(page, series);
   return page.take();
 }
 

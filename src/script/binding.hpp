@@ -147,6 +147,7 @@ std::span<const Group> list_groups();
 std::span<const Group> spin_groups();
 std::span<const Group> run_groups();
 std::span<const Group> crossing_groups();
+std::span<const Group> points_groups();
 std::span<const Group> certify_groups();
 std::span<const Group> plot_groups();
 std::span<const Group> jet_groups();

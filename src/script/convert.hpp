@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/strobe.hpp"
 #include "integrate/certify.hpp"
 #include "motion/run.hpp"
 #include "rotation/chain.hpp"
@@ -55,6 +56,15 @@ struct RunState {
   mutable std::optional<State> full = std::nullopt;
 };
 
+/// Times of a run: of a strobe, which has a period, or of a section.
+struct RunPoints {
+  SharedRun run;
+  std::vector<double> times;
+  std::optional<double> period;
+  mutable std::optional<StrobeCircle> circle = std::nullopt;
+};
+using SharedPoints = std::shared_ptr<const RunPoints>;
+
 // clang-format off
 template <> struct UserType<Vector>     { static constexpr const char* kName = "vec"; };
 template <> struct UserType<Rotation>   { static constexpr const char* kName = "rotation"; };
@@ -62,6 +72,7 @@ template <> struct UserType<Quaternion> { static constexpr const char* kName = "
 template <> struct UserType<Chain>      { static constexpr const char* kName = "chain"; };
 template <> struct UserType<SharedRun>  { static constexpr const char* kName = "run"; };
 template <> struct UserType<RunState>   { static constexpr const char* kName = "state"; };
+template <> struct UserType<SharedPoints> { static constexpr const char* kName = "points"; };
 template <> struct UserType<Crossing>   { static constexpr const char* kName = "crossing"; };
 template <> struct UserType<Cost>       { static constexpr const char* kName = "cost"; };
 template <> struct UserType<Certificate> { static constexpr const char* kName = "certificate"; };
@@ -95,6 +106,7 @@ std::size_t hidden_bytes(const T&) {
   return 0;
 }
 inline std::size_t hidden_bytes(const Spline& spline) { return 300 * spline.times().size(); }
+inline std::size_t hidden_bytes(const SharedPoints& points) { return 8 * points->times.size(); }
 inline std::size_t hidden_bytes(const SharedRun& run) { return 400 * run->propagator().cost.steps; }
 
 /// As if Lua had allocated them: else garbage of this kind would outgrow the memory.

@@ -1,0 +1,339 @@
+// run:strobe, run:section, and points.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "dynamics/section.hpp"
+#include "dynamics/strobe.hpp"
+#include "output/run_output.hpp"
+#include "output/scatter.hpp"
+#include "rotation/text.hpp"
+#include "script/binding.hpp"
+#include "script/options.hpp"
+#include "script/output_options.hpp"
+#include "script/progress.hpp"
+#include "script/show.hpp"
+
+namespace rotor::script {
+namespace {
+
+Observer watching(const RunPoints& points) {
+  return script::watching(points.run->t0(), points.run->t1());
+}
+
+Results strobe_entry(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  const auto period = argument<double>(L, 2);
+  refuse_more_arguments(L, 2);
+  Convert<SharedPoints>::push(
+      L, std::make_shared<const RunPoints>(RunPoints{run, strobe_times(*run, period), period}));
+  return {1};
+}
+
+// The function of a state at `index`, as a function of t.
+std::function<double(double)> scripted_function(lua_State* L, int index, const SharedRun& run) {
+  return [L, index, run](double t) {
+    luaL_checkstack(L, 4, "section");
+    lua_pushvalue(L, index);
+    Convert<RunState>::push(L, {run, run->attitude(t)});
+    lua_call(L, 1, 1);
+    if (lua_type(L, -1) != LUA_TNUMBER) {
+      throw std::invalid_argument("f must return a number, got " + describe(L, -1) +
+                                  " at t = " + shown(t));
+    }
+    const double value = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    return value;
+  };
+}
+
+// normal . X - offset, X the chart.
+std::function<double(double)> plane_function(const Options& options, const SharedRun& run) {
+  const Vector normal = *options.get<Vector>("plane");
+  const double length = norm(normal);
+  if (!(length > 0 && std::isfinite(length))) {
+    throw std::invalid_argument("plane: a normal of any length but zero is expected, got " +
+                                shown(normal));
+  }
+  const double offset = options.get<double>("offset").value_or(0);
+  const std::size_t chart =
+      options.word("chart", {"euler_vector", "modified_gibbs", "gibbs", "mrp"});
+  const Observer watch = script::watching(run->t0(), run->t1());
+  return [=](double t) {
+    if (chart == 0) return normal.dot((*run)(t, watch).euler_vector()) - offset;
+    const State state = run->attitude(t);
+    const Vector x = chart == 1 ? state.modified_gibbs() : chart == 2 ? state.gibbs() : state.mrp();
+    return normal.dot(x) - offset;
+  };
+}
+
+constexpr const char* kSection =
+    "run:section{f=, plane=, offset=, chart=, direction=, n=} -> points";
+Results section_entry(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  const Options options(L, 2, kSection);
+  if (options.has("f") == options.has("plane")) {
+    throw std::invalid_argument("give one of f, a function of a state, and plane, a normal");
+  }
+  for (const char* key : {"offset", "chart"}) {
+    if (options.has("f") && options.has(key)) {
+      throw std::invalid_argument(std::string(key) + " belongs to plane, not to f");
+    }
+  }
+  std::function<double(double)> f;
+  if (options.has("f")) {
+    options.push("f");
+    if (!lua_isfunction(L, -1)) {
+      throw std::invalid_argument("f: expected a function of a state, got " + describe(L, -1));
+    }
+    f = scripted_function(L, lua_gettop(L), run);
+  } else {
+    f = plane_function(options, run);
+  }
+  const auto direction = static_cast<Direction>(options.word("direction", {"both", "up", "down"}));
+  const auto n = options.get<std::size_t>("n");
+  Convert<SharedPoints>::push(
+      L, std::make_shared<const RunPoints>(
+             RunPoints{run, section(*run, f, direction, n, script::watching(run->t0(), run->t1())),
+                       std::nullopt}));
+  return {1};
+}
+
+Results numbered_point(lua_State* L) {
+  const SharedPoints& points = argument<SharedPoints>(L, 1);
+  const auto index = argument<double>(L, 2);
+  if (index >= 1 && index <= static_cast<double>(points->times.size()) &&
+      index == std::floor(index)) {
+    const double t = points->times[static_cast<std::size_t>(index) - 1];
+    Convert<RunState>::push(L, {points->run, points->run->attitude(t)});
+  } else {
+    lua_pushnil(L);
+  }
+  return {1};
+}
+
+std::size_t size_of_points(const SharedPoints& points) { return points->times.size(); }
+Results length_of_points(lua_State* L) {
+  Convert<std::size_t>::push(L, size_of_points(argument<SharedPoints>(L, 1)));
+  return {1};
+}
+
+constexpr const char* kCsv = "points:csv(file, {columns=})";
+Results csv(lua_State* L) {
+  const SharedPoints& points = argument<SharedPoints>(L, 1);
+  const std::string file = file_argument(L, 2);
+  const Options options(L, 3, kCsv);
+  const auto columns = columns_option<StateColumns>(L, options);
+  const bool with_json =
+      write_csv(*points->run, points->times, columns, file, scene_name(L), watching(*points));
+  print_written(L, file, points->times.size(), with_json);
+  return {0};
+}
+
+constexpr const char* kTable = "points:table(what)";
+Results table_entry(lua_State* L) {
+  const SharedPoints& points = argument<SharedPoints>(L, 1);
+  std::vector<std::string> names = argument<Names>(L, 2).list;
+  refuse_more_arguments(L, 2);
+  names.insert(names.begin(), "t");
+  print(L, table(*points->run, points->times, columns_of<StateColumns>(L, names), precision(),
+                 watching(*points)));
+  return {0};
+}
+
+constexpr const char* kPlot = "points:plot(x, y, {title=, width=, height=})";
+Results plot_entry(lua_State* L) {
+  const SharedPoints& points = argument<SharedPoints>(L, 1);
+  const std::vector<std::string> names{argument<std::string>(L, 2), argument<std::string>(L, 3)};
+  const Options options(L, 4, kPlot);
+  const auto columns = columns_of<StateColumns>(L, names);
+  if (columns.list().size() != 2) {
+    throw std::invalid_argument("expected two components, as \"euler_vector_x\", got " +
+                                listed(columns.headers()));
+  }
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> values;
+  visit_times(points->times, watching(*points), [&](double t) {
+    values.clear();
+    StateRow row(*points->run, t);
+    columns.values(row, values);
+    x.push_back(values[0]);
+    y.push_back(values[1]);
+  });
+  PlotOptions look = look_option(options);
+  look.x_label = columns.list()[0].header;
+  look.y_label = columns.list()[1].header;
+  print(L, scatter(x, y, look));
+  return {0};
+}
+
+constexpr const char* kReturnTimes = "points:return_times(distance, {norm=}) -> table, table";
+Results return_times_entry(lua_State* L) {
+  const SharedPoints& points = argument<SharedPoints>(L, 1);
+  const auto distance = argument<double>(L, 2);
+  const Options options(L, 3, kReturnTimes);
+  const auto measure = static_cast<Norm>(options.word("norm", {"euler_vector", "rotation"}));
+  if (points->times.empty()) throw std::invalid_argument("there are no points");
+  std::vector<std::size_t> gaps =
+      return_times(*points->run, points->times, distance, measure, watching(*points));
+  std::sort(gaps.begin(), gaps.end());
+  std::vector<std::size_t> different;
+  std::vector<std::size_t> counts;
+  for (const std::size_t gap : gaps) {
+    if (different.empty() || different.back() != gap) {
+      different.push_back(gap);
+      counts.push_back(0);
+    }
+    ++counts.back();
+  }
+  Convert<std::vector<std::size_t>>::push(L, different);
+  Convert<std::vector<std::size_t>>::push(L, counts);
+  return {2};
+}
+
+std::vector<double> times(const SharedPoints& points) { return points->times; }
+std::optional<double> period(const SharedPoints& points) { return points->period; }
+
+// The circle of a strobe whose omega has that period, else null.
+const StrobeCircle* circle_of(const SharedPoints& points) {
+  if (!points->period) return nullptr;
+  if (!points->circle) points->circle = strobe_circle(*points->run, points->times);
+  return points->circle->closes ? &*points->circle : nullptr;
+}
+std::optional<Vector> axis(const SharedPoints& points) {
+  const StrobeCircle* const circle = circle_of(points);
+  return circle == nullptr || circle->axis.hasNaN() ? std::nullopt : std::optional(circle->axis);
+}
+std::optional<double> rotation_number(const SharedPoints& points) {
+  const StrobeCircle* const circle = circle_of(points);
+  return circle == nullptr ? std::nullopt : std::optional(circle->rotation_number);
+}
+std::optional<double> rotation_number_error(const SharedPoints& points) {
+  const StrobeCircle* const circle = circle_of(points);
+  return circle == nullptr ? std::nullopt : std::optional(circle->error);
+}
+Results plane(lua_State* L) {
+  const SharedPoints& points = argument<SharedPoints>(L, 1);
+  if (points->times.empty()) throw std::invalid_argument("there are no points");
+  const Plane found = plane_of_m(*points->run, points->times);
+  lua_createtable(L, 0, 2);
+  Convert<Vector>::push(L, found.normal);
+  lua_setfield(L, -2, "normal");
+  Convert<double>::push(L, found.off);
+  lua_setfield(L, -2, "off");
+  return {1};
+}
+
+std::string text_of_points(const SharedPoints& points) {
+  const std::size_t n = points->times.size();
+  std::string result =
+      "points  " + std::to_string(n) +
+      (points->period ? "  strobe with period " + shown(*points->period) : "  section");
+  if (n > 0) result += "  t " + shown(points->times.front()) + " .. " + shown(points->times.back());
+  if (!points->period) return result;
+  if (const StrobeCircle* const circle = circle_of(points)) {
+    result += "\n        rotation number " + shown(circle->rotation_number) + " +- " +
+              rotor::text(circle->error, 2);
+    if (!circle->axis.hasNaN()) result += "\n        about " + shown(circle->axis);
+  } else {
+    result += "\n        omega does not repeat with this period: off the circle by " +
+              rotor::text(points->circle->off, 2);
+  }
+  return result;
+}
+
+#define ROTOR_COS "function(t) return cos(pi*t), sin(pi*t), 0 end"
+#define ROTOR_STROBE "evolve{omega = " ROTOR_COS ", to = 40}:strobe(2)"
+
+constexpr Entry kMethods[] = {
+    {"strobe", bound<strobe_entry>, "run:strobe(T) -> points",
+     "The motion at t0, t0 + T, t0 + 2 T ...: the stroboscopic map. Where omega has the period T "
+     "the points lie on a great circle of the unit quaternions and go on along it by "
+     "points.rotation_number turns.",
+     "#" ROTOR_STROBE " --> 21"},
+    {"section", bound<section_entry>, kSection,
+     "Where the motion comes through a surface (Poincare section), to the rounding of t: the zeros "
+     "of f, a function of a state, or of plane . X - offset, plane a normal and X the "
+     "\"euler_vector\" (default), \"modified_gibbs\", \"gibbs\" or \"mrp\" (chart=). direction: "
+     "\"up\", \"down\" or \"both\" (default), as the motion goes. It is looked at n times, or so "
+     "often that the body turns by less than 0.8 rad in between: where the surface is only "
+     "touched, "
+     "or passed twice between two looks, is not seen.",
+     "evolve{omega = {0, 0, 1}, to = 10}:section{f = function(s) return s.angle - 2 end}.times[1] "
+     "--> 2.0"},
+};
+
+constexpr Entry kPointsFields[] = {
+    {"times", bound<times>, "points.times -> table", "The times, a new list.",
+     "#" ROTOR_STROBE ".times --> 21"},
+    {"period", bound<period>, "points.period -> number",
+     "The period of a strobe; nil of a section.", ROTOR_STROBE ".period --> 2.0"},
+    {"rotation_number", bound<rotation_number>, "points.rotation_number -> number",
+     "Of a strobe: by how many turns, in [0, 1), its points go on along their circle each period "
+     "(the points of the quaternions, of E and of M; attitudes go on by twice that), about the "
+     "axis. nil where omega does not repeat with the period, as far as the error of the run tells.",
+     ROTOR_STROBE ".rotation_number < 1 --> true"},
+    {"rotation_number_error", bound<rotation_number_error>,
+     "points.rotation_number_error -> number", "What that may be wrong by.",
+     ROTOR_STROBE ".rotation_number_error < 1e-10 --> true"},
+    {"axis", bound<axis>, "points.axis -> vec",
+     "The axis of what the motion does in a period, on the side of omega at the start; nil where "
+     "there is none, or no rotation number.",
+     "norm(" ROTOR_STROBE ".axis) > 0.99 --> true"},
+    {"plane", bound<plane>, "points.plane -> table",
+     "The plane through 0 that is nearest to the points of M: .normal, unit, and .off, the "
+     "greatest "
+     "distance of a point. That of a strobe is exact.",
+     ROTOR_STROBE ".plane.off < 1e-10 --> true"},
+    {"[i]", bound<numbered_point>, "points[i] -> state",
+     "The state at the point i; nil past the "
+     "last.",
+     ROTOR_STROBE "[2].t --> 2.0"},
+};
+
+constexpr Entry kPointsMethods[] = {
+    {"csv", bound<csv>, kCsv,
+     "Writes the states at the points as CSV, with the columns of run:csv, and where they come "
+     "from as FILE.json.",
+     ROTOR_STROBE ":csv(\"/dev/null\") --> "},
+    {"table", bound<table_entry>, kTable,
+     "Prints quantities or components of the states at the points, as named for run:csv.",
+     ROTOR_STROBE ":table(\"angle\") --> "},
+    {"plot", bound<plot_entry>, kPlot,
+     "Draws one component over another, as \"euler_vector_x\" and \"euler_vector_y\", in one scale "
+     "for both: * a point, or . : - = + * # % @ the more points in a cell.",
+     ROTOR_STROBE ":plot(\"euler_vector_x\", \"euler_vector_y\") --> "},
+    {"return_times", bound<return_times_entry>, kReturnTimes,
+     "In how many points the motion comes back within a distance of the first one: the different "
+     "numbers, and how often each. On a circle there are three at most, the greatest the sum of "
+     "the "
+     "others. norm: \"euler_vector\" (default) |E - E1|, or \"rotation\", the angle between the "
+     "attitudes.",
+     "#" ROTOR_STROBE ":return_times(1) <= 3 --> true"},
+};
+
+constexpr Entry kPointsOperators[] = {
+    {"__len", bound<length_of_points>, "#points -> number", "How many there are.",
+     "#" ROTOR_STROBE " --> 21"},
+    {"__tostring", bound<text_of_points>, "tostring(points) -> string",
+     "The text under which the terminal shows it.", "#tostring(" ROTOR_STROBE ") > 0 --> true"},
+};
+
+constexpr Group kGroups[] = {
+    {"run", Kind::kMethod, kMethods},
+    {"points", Kind::kField, kPointsFields},
+    {"points", Kind::kMethod, kPointsMethods},
+    {"points", Kind::kOperator, kPointsOperators},
+};
+
+}  // namespace
+
+std::span<const Group> points_groups() { return kGroups; }
+
+}  // namespace rotor::script
