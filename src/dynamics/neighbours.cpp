@@ -1,7 +1,6 @@
 #include "dynamics/neighbours.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -30,6 +29,7 @@ class CellGrid {
     std::vector<Keyed> keyed = keys(places, distance);
     std::sort(keyed.begin(), keyed.end());
     places_.resize(places.size());
+    found_.resize(places.size() + 1);
     owners_.resize(places.size());
     std::vector<Key> cells;
     for (std::uint32_t slot = 0; slot < keyed.size(); ++slot) {
@@ -47,45 +47,37 @@ class CellGrid {
     find_neighbours(cells);
   }
 
-  /// Appends those put in so far that are near the point.
-  void near(std::uint32_t owner, std::vector<std::uint32_t>& found) const {
-    const Place& p = places_[slot_[owner]];
+  /// Those put in so far that are near the point, in no order.
+  std::span<std::uint32_t> near(std::uint32_t owner) {
+    const std::uint32_t place = slot_[owner];
     const std::uint32_t cell = cell_of_[owner];
-    for (std::size_t n = near_begin_[cell]; n < near_begin_[cell + 1]; ++n) {
-      const std::uint32_t begin = begin_[near_[n]];
-      const std::uint32_t end = filled_[near_[n]];
-      std::size_t count = found.size();
-      found.resize(count + (end - begin));
-      for (std::uint32_t slot = begin; slot < end; ++slot) {
-        double square = 0;
-        for (std::size_t k = 0; k < D; ++k) {
-          const double d = places_[slot][k] - p[k];
-          square += d * d;
-        }
-        found[count] = owners_[slot];
-        count += square <= square_ ? 1 : 0;
-      }
-      found.resize(count);
-    }
+    std::size_t count = 0;
+    for (std::size_t n = near_begin_[cell]; n < near_begin_[cell + 1]; ++n)
+      count = near_in(near_[n], place, count);
+    return {found_.data(), count};
   }
 
   /// Points are put in by rising numbers.
   void put_in(std::uint32_t owner) { ++filled_[cell_of_[owner]]; }
 
  private:
-  using Key = std::array<std::int64_t, D>;
+  // The numbers of a cell along each component, the last one lowest.
+  __extension__ using Key = __int128;
+  static constexpr int kBits = D == 3 ? 42 : 31;
   struct Keyed {
     Key key;
     std::uint32_t owner;
-    auto operator<=>(const Keyed&) const = default;
+    bool operator<(const Keyed& other) const {
+      return key < other.key || (key == other.key && owner < other.owner);
+    }
   };
 
-  // Cells are counted from the median of each component, to 2^40 both ways: the quotient is then
-  // good to 2^-12, and the cell larger than the distance by more than that. What lies further out
-  // is put into the last cell, which is still next to those of its neighbours.
+  // Cells are counted from the median of each component. What lies further out than there are
+  // numbers is put into the last cell, which is still next to those of its neighbours. A number is
+  // rounded by 2^-10 at most, and a cell larger than the distance by more than that.
   static std::vector<Keyed> keys(const std::vector<Place>& places, double distance) {
-    constexpr double kMost = 0x1p40;
-    const double size = distance * (1 + 0x1p-9);
+    const double most = std::ldexp(1, kBits - 2);
+    const double size = std::max(distance * (1 + 0x1p-9), D == 4 ? 0x1p-28 : 0);
     std::vector<Keyed> keyed(places.size());
     std::vector<double> component(places.size());
     for (std::size_t k = 0; k < D; ++k) {
@@ -94,7 +86,8 @@ class CellGrid {
       std::nth_element(component.begin(), middle, component.end());
       for (std::size_t i = 0; i < places.size(); ++i) {
         const double cell = std::floor((places[i][k] - *middle) / size);
-        keyed[i].key[k] = static_cast<std::int64_t>(std::clamp(cell, -kMost, kMost));
+        keyed[i].key = (keyed[i].key << kBits) +
+                       static_cast<std::int64_t>(std::clamp(cell, -most, most) + 2 * most);
         keyed[i].owner = static_cast<std::uint32_t>(i);
       }
     }
@@ -105,60 +98,51 @@ class CellGrid {
   // most; from one cell to the next, where they begin only moves on.
   void find_neighbours(const std::vector<Key>& cells) {
     constexpr std::size_t kSteps = D == 3 ? 9 : 27;
+    std::array<Key, kSteps> steps{};
+    for (std::size_t s = 0; s < kSteps; ++s) {
+      for (std::size_t k = 0, rest = s; k + 1 < D; ++k, rest /= 3)
+        steps[s] = (steps[s] + static_cast<Key>(rest % 3) - 1) << kBits;
+    }
     std::array<std::size_t, kSteps> at{};
     near_begin_.assign(1, 0);
-    for (const Key& cell : cells) {
-      for (std::size_t step = 0; step < kSteps; ++step) {
-        Key first = cell;
-        for (std::size_t k = 0, rest = step; k + 1 < D; ++k, rest /= 3)
-          first[k] += static_cast<std::int64_t>(rest % 3) - 1;
-        --first[D - 1];
-        Key last = first;
-        last[D - 1] += 2;
-        std::size_t& place = at[step];
-        while (place < cells.size() && cells[place] < first) ++place;
-        for (std::size_t c = place; c < cells.size() && cells[c] <= last; ++c)
+    for (const Key cell : cells) {
+      for (std::size_t s = 0; s < kSteps; ++s) {
+        const Key middle = cell + steps[s];
+        while (at[s] < cells.size() && cells[at[s]] < middle - 1) ++at[s];
+        for (std::size_t c = at[s]; c < cells.size() && cells[c] <= middle + 1; ++c)
           near_.push_back(static_cast<std::uint32_t>(c));
       }
       near_begin_.push_back(near_.size());
     }
   }
 
+  std::size_t near_in(std::uint32_t cell, std::uint32_t place, std::size_t count) {
+    const std::uint32_t begin = begin_[cell];
+    const std::size_t size = filled_[cell] - begin;
+    const Place p = places_[place];
+    const Place* const places = places_.data() + begin;
+    const std::uint32_t* const owners = owners_.data() + begin;
+    std::uint32_t* const found = found_.data();
+    const double most = square_;
+    for (std::size_t i = 0; i < size; ++i) {
+      double square = 0;
+      for (std::size_t k = 0; k < D; ++k) square += (places[i][k] - p[k]) * (places[i][k] - p[k]);
+      found[count] = owners[i];  // kept if it counts
+      count += square <= most ? 1 : 0;
+    }
+    return count;
+  }
+
   double square_;
   std::vector<Place> places_;            // by cell, in a cell by number
   std::vector<std::uint32_t> owners_;    // the numbers of the places
   std::vector<std::uint32_t> cell_of_;   // by number
-  std::vector<std::uint32_t> slot_;      // by number: where in places_
+  std::vector<std::uint32_t> slot_;      // by number: where by cell
   std::vector<std::uint32_t> begin_;     // by cell, the first place
   std::vector<std::uint32_t> filled_;    // by cell, the end of the places put in
   std::vector<std::size_t> near_begin_;  // by cell, and the end
   std::vector<std::uint32_t> near_;      // the cells next to each cell, itself among them
-};
-
-// Sorts numbers below `end`, each once: where they are dense by marking them, for that takes no
-// comparisons.
-class Sorter {
- public:
-  void sort(std::vector<std::uint32_t>& numbers, std::size_t end) {
-    const std::size_t words = end / 64 + 1;
-    if (words > 8 * numbers.size()) {
-      std::sort(numbers.begin(), numbers.end());
-      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-      return;
-    }
-    marks_.resize(std::max(marks_.size(), words));
-    for (const std::uint32_t number : numbers)
-      marks_[number / 64] |= std::uint64_t{1} << number % 64;
-    numbers.clear();
-    for (std::size_t word = 0; word < words; ++word) {
-      for (std::uint64_t bits = std::exchange(marks_[word], 0); bits != 0; bits &= bits - 1)
-        numbers.push_back(static_cast<std::uint32_t>(64 * word) +
-                          static_cast<std::uint32_t>(std::countr_zero(bits)));
-    }
-  }
-
- private:
-  std::vector<std::uint64_t> marks_;
+  std::vector<std::uint32_t> found_;
 };
 
 void visit_vectors(const PointSequence& sequence, double distance, const NeighbourVisitor& visit) {
@@ -166,18 +150,14 @@ void visit_vectors(const PointSequence& sequence, double distance, const Neighbo
   places.reserve(sequence.size());
   for (const Point& p : sequence.points) places.push_back({p[0], p[1], p[2]});
   CellGrid<3> grid(places, distance);
-  std::vector<std::uint32_t> found;
-  Sorter sorter;
   for (std::uint32_t j = 0; j < sequence.size(); ++j) {
-    found.clear();
-    grid.near(j, found);
-    sorter.sort(found, j);
-    if (!visit(j, found)) return;
+    if (!visit(j, grid.near(j))) return;
     grid.put_in(j);
   }
 }
 
-// Point i is there as p (2i) and as -p (2i + 1); it may be near as both.
+// Point i is there as p (2i) and as -p (2i + 1). It may be near as both where the chord is sqrt 2
+// or more, for |p - q|^2 + |p + q|^2 = 4.
 void visit_rotations(const PointSequence& sequence, double distance,
                      const NeighbourVisitor& visit) {
   std::vector<Point> places;
@@ -189,13 +169,13 @@ void visit_rotations(const PointSequence& sequence, double distance,
   // No two rotations are further apart than pi, where the chord is sqrt 2.
   const double chord = distance >= std::numbers::pi ? 2 : 2 * std::sin(distance / 4);
   CellGrid<4> grid(places, chord);
-  std::vector<std::uint32_t> found;
-  Sorter sorter;
   for (std::uint32_t j = 0; j < sequence.size(); ++j) {
-    found.clear();
-    grid.near(2 * j, found);
+    std::span<std::uint32_t> found = grid.near(2 * j);
     for (std::uint32_t& owner : found) owner /= 2;
-    sorter.sort(found, j);
+    if (chord > 1.4) {
+      std::sort(found.begin(), found.end());
+      found = {found.begin(), std::unique(found.begin(), found.end())};
+    }
     if (!visit(j, found)) return;
     grid.put_in(2 * j);
     grid.put_in(2 * j + 1);

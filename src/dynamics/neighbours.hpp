@@ -23,7 +23,7 @@ struct PointSequence {
   double distance(std::size_t i, std::size_t j) const;
 };
 
-/// Called with j and all i < j whose point is near point j, ascending; false ends the search.
+/// Called with j and all i < j whose point is near point j, in no order; false ends the search.
 using NeighbourVisitor = std::function<bool(std::size_t j, std::span<const std::uint32_t> earlier)>;
 
 /// Visits every point j, in order, with its neighbours among those before it: the points at a

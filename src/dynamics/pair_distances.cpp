@@ -55,12 +55,6 @@ double pair_count(std::size_t n, std::size_t theiler) {
   return rest * (rest + 1) / 2;
 }
 
-std::span<const std::uint32_t> outside_window(std::size_t j, std::span<const std::uint32_t> row,
-                                              std::size_t theiler) {
-  while (!row.empty() && row.back() + theiler > j) row = row.first(row.size() - 1);
-  return row;
-}
-
 std::vector<double> sampled_distances(const PointSequence& sequence, std::size_t theiler) {
   constexpr std::size_t kSample = 100'000;
   std::mt19937_64 generator(1);
@@ -100,7 +94,8 @@ double threshold_of_rate(const PointSequence& sequence, double rate, std::size_t
   for (int shift = 48; shift >= 0;) {
     std::vector<std::uint64_t> count(1 << 16);
     const auto tally = [&](std::size_t j, std::span<const std::uint32_t> row) {
-      for (const std::uint32_t i : outside_window(j, row, theiler)) {
+      for (const std::uint32_t i : row) {
+        if (i + theiler > j) continue;
         const auto bits = std::bit_cast<std::uint64_t>(sequence.distance(i, j));
         if (shift == 48 || bits >> (shift + 16) == prefix) ++count[bits >> shift & 0xffff];
       }

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "dynamics/neighbours.hpp"
@@ -16,10 +15,6 @@ void check_theiler(std::size_t n, std::size_t theiler);
 
 /// How many pairs of n points have j - i >= theiler.
 double pair_count(std::size_t n, std::size_t theiler);
-
-/// Of a row, what is at least `theiler` before j.
-std::span<const std::uint32_t> outside_window(std::size_t j, std::span<const std::uint32_t> row,
-                                              std::size_t theiler);
 
 /// The distances of 1e5 pairs drawn at random, always the same ones, in order.
 std::vector<double> sampled_distances(const PointSequence& sequence, std::size_t theiler);

@@ -76,18 +76,19 @@ class GrowingLines {
 class Lines {
  public:
   explicit Lines(std::size_t n)
-      : diagonal_lengths(n), vertical_lengths(n), diagonals_(n), columns_(n) {}
+      : diagonal_lengths(n), vertical_lengths(n), diagonals_(n), columns_(n), row_of_(n + 1) {}
 
   void add_row(std::uint32_t j, std::span<const std::uint32_t> row) {
-    std::size_t run = 0;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      diagonals_.add(j - row[k], j, diagonal_lengths);
-      columns_.add(row[k], j, vertical_lengths);
-      ++run;
-      if (k + 1 == row.size() || row[k + 1] != row[k] + 1) {
-        vertical_lengths.add(run);
-        run = 0;
-      }
+    for (const std::uint32_t i : row) {
+      diagonals_.add(j - i, j, diagonal_lengths);
+      columns_.add(i, j, vertical_lengths);
+      row_of_[i] = j;
+    }
+    for (const std::uint32_t i : row) {
+      if (i > 0 && row_of_[i - 1] == j) continue;
+      std::uint32_t end = i + 1;
+      while (row_of_[end] == j) ++end;
+      vertical_lengths.add(end - i);
     }
   }
   void end() {
@@ -101,6 +102,7 @@ class Lines {
  private:
   GrowingLines diagonals_;
   GrowingLines columns_;
+  std::vector<std::uint32_t> row_of_;  // the last row with a point in that column
 };
 
 void set_measures(Recurrence& r, const Lines& lines) {
@@ -249,9 +251,14 @@ Recurrence recurrence(PointSequence sequence, double threshold, const Recurrence
 
 void visit_rows(const Recurrence& matrix, const NeighbourVisitor& visit) {
   const std::size_t theiler = matrix.options.theiler;
+  if (theiler == 1) return visit_neighbours(matrix.sequence, matrix.threshold, visit);
+  std::vector<std::uint32_t> outside;
   visit_neighbours(matrix.sequence, matrix.threshold,
                    [&](std::size_t j, std::span<const std::uint32_t> row) {
-                     return visit(j, outside_window(j, row, theiler));
+                     outside.clear();
+                     for (const std::uint32_t i : row)
+                       if (i + theiler <= j) outside.push_back(i);
+                     return visit(j, outside);
                    });
 }
 

@@ -22,6 +22,7 @@ Pairs found(const PointSequence& sequence, double distance) {
     for (const std::uint32_t i : row) pairs.emplace_back(i, j);
     return true;
   });
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
@@ -30,6 +31,7 @@ Pairs all(const PointSequence& sequence, double distance) {
   for (std::size_t j = 0; j < sequence.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (sequence.distance(i, j) <= distance) pairs.emplace_back(i, j);
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
