@@ -341,7 +341,10 @@ function help.overview()
   local list = {}
   for name in kOfRotation:gmatch "%S+" do list[#list + 1] = names.find("rotation", name) and name end
   table.insert(rows, 2, { "?rotation", table.concat(list, " ") })
-  local types = names.types()
+  local types = {}  -- those that no topic has
+  for _, name in ipairs(names.types()) do
+    if not (names.find("", name) or names.is_library(name)) then types[#types + 1] = name end
+  end
   rows[#rows + 1] = { "Types", table.concat(types, " ") }
   return kFirst .. "\n" .. text.two_columns(rows, 12) .. "\n\n" .. kLast
 end

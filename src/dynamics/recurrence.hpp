@@ -62,6 +62,13 @@ struct Recurrence {
   std::vector<std::uint32_t> diagonals;
 };
 
+/// That of a run, with the times of its points.
+struct RunRecurrence {
+  std::vector<double> times;
+  RecurrenceNorm norm = RecurrenceNorm::kEulerVector;
+  Recurrence matrix;
+};
+
 /// Throws std::invalid_argument unless the threshold is positive and finite and the options leave
 /// a pair; std::length_error where more than 1e10 pairs would recur; Interrupted where the observer
 /// (asked with the part done, 0 to 1) says no.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "output/columns.hpp"
@@ -16,6 +17,10 @@ namespace rotor {
 /// std::system_error if the file cannot be written.
 bool write_provenance(const std::filesystem::path& file, const Columns& columns, std::size_t rows,
                       const std::string& scene, const std::string& conventions,
+                      const JsonObject& more = {});
+/// The same of columns that are no choice from a state or a rotation.
+bool write_provenance(const std::filesystem::path& file, std::span<const Column> columns,
+                      std::size_t rows, const std::string& scene, const std::string& conventions,
                       const JsonObject& more = {});
 
 }  // namespace rotor

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/recurrence.hpp"
 #include "dynamics/strobe.hpp"
 #include "integrate/certify.hpp"
 #include "motion/run.hpp"
@@ -48,6 +49,7 @@ struct UserType;  // static constexpr const char* kName
 
 /// A run is shared with its states.
 using SharedRun = std::shared_ptr<const Run>;
+using SharedRecurrence = std::shared_ptr<const RunRecurrence>;
 
 /// A state and the run that it is of. Axis and angle are found when they are asked for.
 struct RunState {
@@ -76,6 +78,7 @@ template <> struct UserType<SharedPoints> { static constexpr const char* kName =
 template <> struct UserType<Crossing>   { static constexpr const char* kName = "crossing"; };
 template <> struct UserType<Cost>       { static constexpr const char* kName = "cost"; };
 template <> struct UserType<Certificate> { static constexpr const char* kName = "certificate"; };
+template <> struct UserType<SharedRecurrence> { static constexpr const char* kName = "recurrence"; };
 template <> struct UserType<RigidFit>   { static constexpr const char* kName = "rigid_fit"; };
 template <> struct UserType<RotationRates> { static constexpr const char* kName = "rates"; };
 template <> struct UserType<Spline>     { static constexpr const char* kName = "spline"; };
@@ -107,6 +110,7 @@ std::size_t hidden_bytes(const T&) {
 }
 inline std::size_t hidden_bytes(const Spline& spline) { return 300 * spline.times().size(); }
 inline std::size_t hidden_bytes(const SharedPoints& points) { return 8 * points->times.size(); }
+inline std::size_t hidden_bytes(const SharedRecurrence& r) { return 44 * r->times.size(); }
 inline std::size_t hidden_bytes(const SharedRun& run) { return 400 * run->propagator().cost.steps; }
 
 /// As if Lua had allocated them: else garbage of this kind would outgrow the memory.

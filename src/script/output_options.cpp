@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "motion/times.hpp"
 #include "script/binding.hpp"
 #include "script/lua_value.hpp"
 
@@ -42,6 +43,18 @@ Names Convert<Names>::get(lua_State* L, int index) {
   if (lua_type(L, index) == LUA_TSTRING) return {{Convert<std::string>::get(L, index)}};
   if (!lua_istable(L, index)) throw Mismatch(L, index, "a name or a list of names");
   return {Convert<std::vector<std::string>>::get(L, index)};
+}
+
+std::vector<double> times_option(const Options& options, const Run& run, std::size_t otherwise) {
+  const auto n = options.get<std::size_t>("n");
+  const auto every = options.get<double>("every");
+  const auto times = options.get<std::vector<double>>("times");
+  if (int{n.has_value()} + int{every.has_value()} + int{times.has_value()} > 1) {
+    throw std::invalid_argument("give one of n, every and times");
+  }
+  if (times) return *times;
+  if (every) return times_every(run.t0(), run.t1(), *every);
+  return times_in(run.t0(), run.t1(), n.value_or(otherwise));
 }
 
 PlotOptions look_option(const Options& options) {

@@ -1,10 +1,12 @@
 // What the functions that print, write and read tables share.
 #pragma once
 
+#include <cstddef>
 #include <lua.hpp>
 #include <string>
 #include <vector>
 
+#include "motion/run.hpp"
 #include "output/canvas.hpp"
 #include "output/columns.hpp"
 #include "script/options.hpp"
@@ -28,6 +30,11 @@ template <>
 struct Convert<Names> {
   static Names get(lua_State* L, int index);
 };
+
+/// The options n, every and times, of which one may be given: n times from the start of the run to
+/// its end, both included; `otherwise` of them where there is none.
+std::vector<double> times_option(const Options& options, const Run& run,
+                                 std::size_t otherwise = 1000);
 
 /// The options title, width and height of a picture.
 PlotOptions look_option(const Options& options);

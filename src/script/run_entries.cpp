@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "motion/run.hpp"
-#include "motion/times.hpp"
 #include "output/run_output.hpp"
 #include "rotation/text.hpp"
 #include "script/binding.hpp"
@@ -23,19 +22,6 @@ Results evolve_entry(lua_State* L) {
   return {1};
 }
 
-// Times in an options table, {n=}, {every=} or {times=}; n as given where there is none.
-std::vector<double> times_of(const Options& options, const Run& run, std::size_t otherwise = 1000) {
-  const auto n = options.get<std::size_t>("n");
-  const auto every = options.get<double>("every");
-  const auto times = options.get<std::vector<double>>("times");
-  if (int{n.has_value()} + int{every.has_value()} + int{times.has_value()} > 1) {
-    throw std::invalid_argument("give one of n, every and times");
-  }
-  if (times) return *times;
-  if (every) return times_every(run.t0(), run.t1(), *every);
-  return times_in(run.t0(), run.t1(), n.value_or(otherwise));
-}
-
 // run(t).
 Results state_at(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
@@ -46,7 +32,7 @@ Results state_at(lua_State* L) {
 constexpr const char* kSample = "run:sample{n=, every=, times=} -> table";
 Results sample(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
-  const std::vector<double> times = times_of(Options(L, 2, kSample), *run);
+  const std::vector<double> times = times_option(Options(L, 2, kSample), *run);
   lua_createtable(L, static_cast<int>(times.size()), 0);
   lua_Integer count = 0;
   visit_times(times, watching(run->t0(), run->t1()), [&](double t) {
@@ -61,7 +47,7 @@ Results csv(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const std::string file = file_argument(L, 2);
   const Options options(L, 3, kCsv);
-  const std::vector<double> times = times_of(options, *run);
+  const std::vector<double> times = times_option(options, *run);
   const auto columns = columns_option<StateColumns>(L, options);
   const bool with_json =
       write_csv(*run, times, columns, file, scene_name(L), watching(run->t0(), run->t1()));
@@ -74,7 +60,7 @@ Results plot_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const auto columns = columns_of<StateColumns>(L, argument<Names>(L, 2).list);
   const Options options(L, 3, kPlot);
-  print(L, plot(*run, times_of(options, *run), columns, look_option(options),
+  print(L, plot(*run, times_option(options, *run), columns, look_option(options),
                 watching(run->t0(), run->t1())));
   return {0};
 }
@@ -85,8 +71,8 @@ Results table_entry(lua_State* L) {
   std::vector<std::string> names = argument<Names>(L, 2).list;
   names.insert(names.begin(), "t");
   const Options options(L, 3, kTable);
-  print(L, table(*run, times_of(options, *run, 11), columns_of<StateColumns>(L, names), precision(),
-                 watching(run->t0(), run->t1())));
+  print(L, table(*run, times_option(options, *run, 11), columns_of<StateColumns>(L, names),
+                 precision(), watching(run->t0(), run->t1())));
   return {0};
 }
 
