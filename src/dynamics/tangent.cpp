@@ -1,0 +1,141 @@
+#include "dynamics/tangent.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "rotation/extended.hpp"
+#include "rotation/kinematics.hpp"
+#include "rotation/operators.hpp"
+#include "rotation/small_angle.hpp"
+
+namespace rotor {
+namespace {
+
+// c'(theta)/theta for the c(theta) = (1 - g)/theta^2 of [P7]. From theta g' = g - g^2 - theta^2/4
+// it is (1/4 - (g + 2) c)/theta^2. Below theta = 1/2 the sum of (2k - 2) |B_2k|/(2k)! theta^(2k-4),
+// k = 2, 3, ..., whose terms fall by (theta/2 pi)^2 < 1/157 or so each: the first left out is 1e-16
+// of the sum. Beyond, the difference cancels at most to theta^4/360, 1.7e-4: 1e-15 in extended
+// precision.
+double curvature(double angle) {
+  const Extended theta2 = Extended{angle} * angle;
+  if (theta2 < 0.25L) {
+    constexpr Extended kTerms[] = {2.0L / 720,
+                                   4.0L / 30240,
+                                   6.0L / 1209600,
+                                   8.0L / 47900160,
+                                   10 * 691.0L / 1307674368000,
+                                   12.0L / 74724249600,
+                                   14 * 3617.0L / 10670622842880000};
+    Extended sum = 0;
+    for (int k = 6; k >= 0; --k) sum = sum * theta2 + kTerms[k];
+    return static_cast<double>(sum);
+  }
+  const Extended g = half_cot(angle);
+  return static_cast<double>((0.25L - (g + 2) * one_minus_half_cot(angle)) / theta2);
+}
+
+// Of [P7]: omega - {omega |E|^2 - E (omega . E)} c + s omega x E / 2, s = 1 in the space frame, -1
+// in the body frame.
+Matrix euler_rate_jacobian(const State& state, const Vector& omega, double sign) {
+  const Vector e = state.euler_vector();
+  const auto c = static_cast<double>(one_minus_half_cot(state.angle));
+  const Vector braces = omega * e.squaredNorm() - e * omega.dot(e);
+  return -c * (2 * omega * e.transpose() - omega.dot(e) * Matrix::Identity() -
+               e * omega.transpose()) -
+         curvature(state.angle) * braces * e.transpose() + sign / 2 * skew(omega);
+}
+
+}  // namespace
+
+const char* name_of(TangentChart chart) {
+  switch (chart) {
+    case TangentChart::kEulerVector:
+      return "euler_vector";
+    case TangentChart::kModifiedGibbs:
+      return "modified_gibbs";
+    case TangentChart::kGibbs:
+      return "gibbs";
+    case TangentChart::kMrp:
+      return "mrp";
+    default:
+      return "rotation";
+  }
+}
+
+Matrix chart_jacobian(TangentChart chart, const State& state) {
+  const Matrix one = Matrix::Identity();
+  switch (chart) {
+    case TangentChart::kEulerVector:
+      return exp_jacobian_inverse(state.euler_vector().cast<Extended>()).cast<double>();
+    case TangentChart::kModifiedGibbs:
+      return (state.quaternion.w() * one - skew(state.modified_gibbs())) / 2;
+    case TangentChart::kGibbs: {
+      const Vector g = state.gibbs();
+      return (one + g * g.transpose() - skew(g)) / 2;
+    }
+    case TangentChart::kMrp: {
+      const Vector p = state.mrp();
+      return ((1 - p.squaredNorm()) * one + 2 * p * p.transpose() - 2 * skew(p)) / 4;
+    }
+    default:
+      return one;
+  }
+}
+
+Matrix rate_jacobian(TangentChart chart, const State& state, const Vector& omega, Frame frame) {
+  const Matrix one = Matrix::Identity();
+  const double sign = frame == Frame::kSpace ? 1 : -1;
+  switch (chart) {
+    case TangentChart::kEulerVector:
+      return euler_rate_jacobian(state, omega, sign);
+    case TangentChart::kModifiedGibbs:  // M0^2 = 1 - |M|^2
+      return (sign * skew(omega) - omega * state.gibbs().transpose()) / 2;
+    case TangentChart::kGibbs: {
+      const Vector g = state.gibbs();
+      return (omega.dot(g) * one + g * omega.transpose() + sign * skew(omega)) / 2;
+    }
+    case TangentChart::kMrp: {
+      // p' = {omega (1 - |p|^2) + 2 p (omega . p) + 2 s omega x p}/4.
+      const Vector p = state.mrp();
+      return (p.dot(omega) * one + p * omega.transpose() - omega * p.transpose() +
+              sign * skew(omega)) /
+             2;
+    }
+    default:
+      return frame == Frame::kSpace ? skew(omega) : Matrix(Matrix::Zero());
+  }
+}
+
+double distance_from_singularity(TangentChart chart, const State& state) {
+  const double cosine = state.quaternion.w();
+  const double sine = norm(state.quaternion.vec());
+  switch (chart) {
+    case TangentChart::kEulerVector:
+      return std::abs(state.angle) < 1 ? 1 : sine;
+    case TangentChart::kModifiedGibbs:
+    case TangentChart::kGibbs:
+      return std::abs(cosine);
+    case TangentChart::kMrp:
+      return cosine > 0 ? 1 : sine;
+    default:
+      return 1;
+  }
+}
+
+double part_of_chart(TangentChart chart, const State& state) {
+  switch (chart) {
+    case TangentChart::kEulerVector:  // about 0 it is one part, |theta| < 2 pi
+      return std::trunc(state.angle / (2 * std::numbers::pi));
+    case TangentChart::kModifiedGibbs:
+    case TangentChart::kGibbs:
+      return state.quaternion.w() < 0 ? 1 : 0;
+    default:
+      return 0;
+  }
+}
+
+State chart_state(const Run& run, double t, TangentChart chart, const Observer& observer) {
+  return chart == TangentChart::kEulerVector ? run(t, observer) : run.attitude(t);
+}
+
+}  // namespace rotor
