@@ -81,6 +81,8 @@ return {
   ["recurrence.det"] = "DET determinism",
   ["recurrence.laminarity"] = "LAM",
   ["run:certify"] = "accuracy guarantee verify bound defect residual error",
+  ["run:lyapunov"] = "chaos chaotic stability sensitivity divergence spectrum tangent",
+  ["run:average"] = "mean Birkhoff ergodic",
   tradeoff = "work-precision work precision benchmark compare methods cost accuracy speed",
   plot = "draw graph chart log logarithmic scatter data",
   ["run:plot"] = "draw graph chart",

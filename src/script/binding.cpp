@@ -269,6 +269,7 @@ void register_groups(lua_State* L) {
   make_type<Cost>(L);
   make_type<Certificate>(L);
   make_type<SharedRecurrence>(L);
+  make_type<LyapunovResult>(L);
   make_type<RigidFit>(L);
   make_type<RotationRates>(L);
   make_type<Spline>(L);
@@ -281,8 +282,8 @@ void register_groups(lua_State* L) {
   for (const auto groups :
        {rotation_groups(), vector_groups(), matrix_groups(), quaternion_groups(), sequence_groups(),
         kinematics_groups(), fit_groups(), triangle_groups(), list_groups(), spin_groups(),
-        run_groups(), crossing_groups(), points_groups(), certify_groups(), recurrence_groups(),
-        plot_groups(), jet_groups(), terminal_groups()}) {
+        run_groups(), crossing_groups(), points_groups(), certify_groups(), lyapunov_groups(),
+        recurrence_groups(), plot_groups(), jet_groups(), terminal_groups()}) {
     for (const Group& group : groups) register_group(L, rows, group);
   }
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);

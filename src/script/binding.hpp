@@ -150,6 +150,7 @@ std::span<const Group> crossing_groups();
 std::span<const Group> points_groups();
 std::span<const Group> certify_groups();
 std::span<const Group> recurrence_groups();
+std::span<const Group> lyapunov_groups();
 std::span<const Group> plot_groups();
 std::span<const Group> jet_groups();
 std::span<const Group> terminal_groups();

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/lyapunov.hpp"
 #include "dynamics/recurrence.hpp"
 #include "dynamics/strobe.hpp"
 #include "integrate/certify.hpp"
@@ -66,6 +67,14 @@ struct RunPoints {
   mutable std::optional<StrobeCircle> circle = std::nullopt;
 };
 using SharedPoints = std::shared_ptr<const RunPoints>;
+/// What run:lyapunov found, and how.
+struct LyapunovResult {
+  LyapunovSpectrum spectrum;
+  TangentChart chart;
+  LyapunovMethod method;
+  double t0;
+  double isometry;
+};
 
 // clang-format off
 template <> struct UserType<Vector>     { static constexpr const char* kName = "vec"; };
@@ -79,6 +88,7 @@ template <> struct UserType<Crossing>   { static constexpr const char* kName = "
 template <> struct UserType<Cost>       { static constexpr const char* kName = "cost"; };
 template <> struct UserType<Certificate> { static constexpr const char* kName = "certificate"; };
 template <> struct UserType<SharedRecurrence> { static constexpr const char* kName = "recurrence"; };
+template <> struct UserType<LyapunovResult> { static constexpr const char* kName = "lyapunov"; };
 template <> struct UserType<RigidFit>   { static constexpr const char* kName = "rigid_fit"; };
 template <> struct UserType<RotationRates> { static constexpr const char* kName = "rates"; };
 template <> struct UserType<Spline>     { static constexpr const char* kName = "spline"; };
@@ -111,6 +121,9 @@ std::size_t hidden_bytes(const T&) {
 inline std::size_t hidden_bytes(const Spline& spline) { return 300 * spline.times().size(); }
 inline std::size_t hidden_bytes(const SharedPoints& points) { return 8 * points->times.size(); }
 inline std::size_t hidden_bytes(const SharedRecurrence& r) { return 44 * r->times.size(); }
+inline std::size_t hidden_bytes(const LyapunovResult& result) {
+  return sizeof(double) * 4 * result.spectrum.times.size();
+}
 inline std::size_t hidden_bytes(const SharedRun& run) { return 400 * run->propagator().cost.steps; }
 
 /// As if Lua had allocated them: else garbage of this kind would outgrow the memory.

@@ -1,0 +1,48 @@
+#include "output/lyapunov_output.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "output/csv.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr std::array kNames = {"largest", "middle", "least"};
+
+// The exponent times t is the logarithm of a stretch, computed from numbers around 1: a few of
+// their roundings are 0, which a logarithmic axis leaves out.
+constexpr double kRounding = 1e-15;
+
+}  // namespace
+
+void write_csv(const LyapunovSpectrum& spectrum, const std::filesystem::path& file) {
+  CsvWriter writer(file, std::vector<std::string>{"t", kNames[0], kNames[1], kNames[2]});
+  for (std::size_t i = 0; i < spectrum.times.size(); ++i) {
+    const Vector& exponents = spectrum.history[i];
+    writer.row(std::array{spectrum.times[i], exponents.x(), exponents.y(), exponents.z()});
+  }
+  writer.commit();
+}
+
+std::string plot(const LyapunovSpectrum& spectrum, double t0, PlotOptions options) {
+  const std::size_t n = spectrum.times.size();
+  std::vector<double> elapsed(n);
+  std::array<Series, 3> series;
+  for (std::size_t k = 0; k < 3; ++k) series[k] = {kNames[k], std::vector<double>(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    elapsed[i] = std::abs(spectrum.times[i] - t0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double size = std::abs(spectrum.history[i](static_cast<Eigen::Index>(k)));
+      series[k].y[i] = size * elapsed[i] > kRounding ? size : 0;
+    }
+  }
+  options.log_x = true;
+  options.log_y = true;
+  options.x_label = t0 == 0 ? "t" : "t - t0";
+  options.y_label = "|exponent|";
+  return plot(elapsed, series, options);
+}
+
+}  // namespace rotor
