@@ -138,6 +138,9 @@ TEST_CASE("the threshold of a rate is the distance of the pair of that rank") {
             static_cast<std::size_t>(std::ceil(rate * static_cast<double>(distances.size())) - 1);
         const double threshold = threshold_of_rate(sequence, rate, theiler);
         CHECK(threshold >= distances[rank]);
+        std::size_t pairs = 0;  // those found there: as many as asked for
+        for (const auto& [a, b] : found(sequence, threshold)) pairs += b - a >= theiler ? 1 : 0;
+        CHECK(pairs == rank + 1);
         CHECK(threshold <= distances[rank] * (1 + 1e-14));
       }
     }

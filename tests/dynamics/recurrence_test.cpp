@@ -185,6 +185,28 @@ TEST_CASE("where nothing recurs, the measures of lines are those of none") {
   CHECK(recurrent_lags(matrix).empty());
 }
 
+TEST_CASE("a line has one lag, however its top is made, in the middle of its half height") {
+  Recurrence matrix;
+  const std::size_t n = 1000;
+  matrix.diagonals.assign(n, 0);
+  const auto put = [&](std::size_t lag, double share) {
+    matrix.diagonals[lag] = static_cast<std::uint32_t>(std::lround(share * double(n - lag)));
+  };
+  put(1, 0.9);  // falls from the main diagonal: no line
+  put(2, 0.4);
+  const std::vector<double> top = {0.5, 0.7, 0.6, 0.8, 0.55};  // half of 0.8: both ends in between
+  for (std::size_t k = 0; k < top.size(); ++k) put(98 + k, top[k]);
+  put(300, 0.02);
+  put(400, 0.005);  // less than the least
+  put(950, 1);      // of a diagonal too short
+  const auto lags = recurrent_lags(matrix);
+  REQUIRE(lags.size() == 2);
+  // Passed at 97 + 0.4/0.5 and 103 - 0.4/0.55; shares are rounded to 1/900.
+  CHECK(lags[0].lag == Approx((97 + 0.8 + 103 - 8.0 / 11) / 2).margin(2e-3));
+  CHECK(lags[0].share == Approx(0.8).margin(1e-3));
+  CHECK(lags[1].lag == 300);
+}
+
 // The paper's Figure 11 (theory 5). A pair recurs as long as t is within threshold/|E'| of the lag,
 // some 0.1: a sampling of 0.1 is needed to see the lines of threshold 0.1. The lags are known to
 // half a sampling and half a digit.
