@@ -17,7 +17,7 @@ help.topics = {
   { "Rotations", "rotation quaternion slerp mean commute chain spherical_triangle" },
   { "Vectors", "vec dot cross norm unit box orientation orthonormal_basis" },
   { "Matrices", "matrix det outer skew axial proper_orthogonal permutation_sign" },
-  { "Motion", "evolve angular_velocity rotation_rates spin tradeoff" },
+  { "Motion", "evolve angular_velocity rotation_rates spin tradeoff spectrum" },
   { "Data", "read_csv write_csv plot continuous_quaternions fit_rigid is_rigid" },
   { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs floor ceil" },
   { "Testing", "theorem near holds fails for_each for_all given any" },

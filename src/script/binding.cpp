@@ -270,6 +270,8 @@ void register_groups(lua_State* L) {
   make_type<Certificate>(L);
   make_type<SharedRecurrence>(L);
   make_type<LyapunovResult>(L);
+  make_type<SignalSpectrum>(L);
+  make_type<NamedFrequencies>(L);
   make_type<RigidFit>(L);
   make_type<RotationRates>(L);
   make_type<Spline>(L);
@@ -280,10 +282,11 @@ void register_groups(lua_State* L) {
   lua_newtable(L);
   const int rows = lua_gettop(L);
   for (const auto groups :
-       {rotation_groups(), vector_groups(), matrix_groups(), quaternion_groups(), sequence_groups(),
-        kinematics_groups(), fit_groups(), triangle_groups(), list_groups(), spin_groups(),
-        run_groups(), crossing_groups(), points_groups(), certify_groups(), lyapunov_groups(),
-        recurrence_groups(), plot_groups(), jet_groups(), terminal_groups()}) {
+       {rotation_groups(),   vector_groups(),     matrix_groups(),   quaternion_groups(),
+        sequence_groups(),   kinematics_groups(), fit_groups(),      triangle_groups(),
+        list_groups(),       spin_groups(),       run_groups(),      crossing_groups(),
+        points_groups(),     certify_groups(),    lyapunov_groups(), spectrum_groups(),
+        recurrence_groups(), plot_groups(),       jet_groups(),      terminal_groups()}) {
     for (const Group& group : groups) register_group(L, rows, group);
   }
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);

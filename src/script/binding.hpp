@@ -151,6 +151,7 @@ std::span<const Group> points_groups();
 std::span<const Group> certify_groups();
 std::span<const Group> recurrence_groups();
 std::span<const Group> lyapunov_groups();
+std::span<const Group> spectrum_groups();
 std::span<const Group> plot_groups();
 std::span<const Group> jet_groups();
 std::span<const Group> terminal_groups();

@@ -20,6 +20,7 @@
 #include "dynamics/strobe.hpp"
 #include "integrate/certify.hpp"
 #include "motion/run.hpp"
+#include "output/spectrum_output.hpp"
 #include "rotation/chain.hpp"
 #include "rotation/fit.hpp"
 #include "rotation/kinematics.hpp"
@@ -89,6 +90,8 @@ template <> struct UserType<Cost>       { static constexpr const char* kName = "
 template <> struct UserType<Certificate> { static constexpr const char* kName = "certificate"; };
 template <> struct UserType<SharedRecurrence> { static constexpr const char* kName = "recurrence"; };
 template <> struct UserType<LyapunovResult> { static constexpr const char* kName = "lyapunov"; };
+template <> struct UserType<SignalSpectrum> { static constexpr const char* kName = "spectrum"; };
+template <> struct UserType<NamedFrequencies> { static constexpr const char* kName = "frequencies"; };
 template <> struct UserType<RigidFit>   { static constexpr const char* kName = "rigid_fit"; };
 template <> struct UserType<RotationRates> { static constexpr const char* kName = "rates"; };
 template <> struct UserType<Spline>     { static constexpr const char* kName = "spline"; };
@@ -124,6 +127,7 @@ inline std::size_t hidden_bytes(const SharedRecurrence& r) { return 44 * r->time
 inline std::size_t hidden_bytes(const LyapunovResult& result) {
   return sizeof(double) * 4 * result.spectrum.times.size();
 }
+inline std::size_t hidden_bytes(const SignalSpectrum& s) { return 16 * s.spectrum.density.size(); }
 inline std::size_t hidden_bytes(const SharedRun& run) { return 400 * run->propagator().cost.steps; }
 
 /// As if Lua had allocated them: else garbage of this kind would outgrow the memory.
