@@ -23,7 +23,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // D(t) along a run, with what the start adds to it once. None where the chart is singular at t.
 class TangentMap {
  public:
-  TangentMap(const Run& run, TangentChart chart) : run_(run), chart_(chart) {
+  TangentMap(const Run& run, Chart chart) : run_(run), chart_(chart) {
     const State start = chart_state(run, run.t0(), chart);
     if (is_singular(start)) {
       throw std::invalid_argument(std::string("the chart ") + name_of(chart) +
@@ -50,7 +50,7 @@ class TangentMap {
   }
 
   const Run& run_;
-  TangentChart chart_;
+  Chart chart_;
   Matrix before_;
 };
 
@@ -120,11 +120,11 @@ Vector orthonormalise(Matrix& m) {
   return logs;
 }
 
-Matrix tangent_map(const Run& run, double t, TangentChart chart) {
+Matrix tangent_map(const Run& run, double t, Chart chart) {
   return TangentMap(run, chart).at(t).value_or(Matrix(Matrix::Constant(kNan)));
 }
 
-Vector finite_time_exponents(const Run& run, double t, TangentChart chart) {
+Vector finite_time_exponents(const Run& run, double t, Chart chart) {
   if (t == run.t0()) {
     throw std::invalid_argument("exponents need time to pass, got t = " + text(t) +
                                 ", the start of the run");
@@ -134,9 +134,8 @@ Vector finite_time_exponents(const Run& run, double t, TangentChart chart) {
   return logs_of_singular_values(*d) / std::abs(t - run.t0());
 }
 
-LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times,
-                                   TangentChart chart, LyapunovMethod method,
-                                   const Observer& observer) {
+LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times, Chart chart,
+                                   LyapunovMethod method, const Observer& observer) {
   LyapunovSpectrum result;
   result.times = after_start(run, times);
   const TangentMap map(run, chart);

@@ -19,13 +19,13 @@
 namespace rotor {
 
 /// D(t). Not finite, or not invertible, where the chart is singular at one of the two times.
-Matrix tangent_map(const Run& run, double t, TangentChart chart);
+Matrix tangent_map(const Run& run, double t, Chart chart);
 
 /// log(s_i)/|t - t0|, largest first, of the singular values s_i of D(t): how fast the ball of
 /// neighbours has become an ellipsoid with these half axes. nan where the chart is singular at t to
 /// within the error of the run. Throws std::invalid_argument where it is at the start, or for
 /// t = t0.
-Vector finite_time_exponents(const Run& run, double t, TangentChart chart);
+Vector finite_time_exponents(const Run& run, double t, Chart chart);
 
 enum class LyapunovMethod {
   kExact,  // singular values of D(t)
@@ -52,9 +52,8 @@ struct LyapunovSpectrum {
 /// exponents at a time are the sums of log R_ii so far, sorted: those of the singular values but
 /// for O(1/t). Throws std::invalid_argument for times out of order, none after the start, or a
 /// chart that is singular at the start; std::out_of_range for one outside the run.
-LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times,
-                                   TangentChart chart, LyapunovMethod method,
-                                   const Observer& observer = {});
+LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times, Chart chart,
+                                   LyapunovMethod method, const Observer& observer = {});
 
 /// Makes the columns of m orthonormal in their order and gives the logarithms of the lengths that
 /// they had across those before them: log R_ii of m = Q R.

@@ -171,22 +171,9 @@ struct Shares {
   }
 };
 
-Vector chart_vector(const Run& run, double t, RecurrenceNorm norm, const Observer& observer) {
-  switch (norm) {
-    case RecurrenceNorm::kEulerVector:
-      return run(t, observer).euler_vector();
-    case RecurrenceNorm::kModifiedGibbs:
-      return run.attitude(t).modified_gibbs();
-    case RecurrenceNorm::kGibbs:
-      return run.attitude(t).gibbs();
-    default:
-      return run.attitude(t).mrp();
-  }
-}
-
 }  // namespace
 
-PointSequence recurrence_points(const Run& run, std::span<const double> times, RecurrenceNorm norm,
+PointSequence recurrence_points(const Run& run, std::span<const double> times, Chart norm,
                                 const Observer& observer) {
   if (times.size() < 2) {
     throw std::invalid_argument("two points at least are expected, got " +
@@ -201,14 +188,14 @@ PointSequence recurrence_points(const Run& run, std::span<const double> times, R
   }
   PointSequence sequence;
   sequence.points.reserve(times.size());
-  if (norm == RecurrenceNorm::kRotation) sequence.space = PointSequence::Space::kRotations;
+  if (norm == Chart::kRotation) sequence.space = PointSequence::Space::kRotations;
   visit_times(times, observer, [&](double t) {
-    if (norm == RecurrenceNorm::kRotation) {
+    if (norm == Chart::kRotation) {
       const Quaternion q = run.attitude(t).quaternion;
       sequence.points.push_back({q.w(), q.x(), q.y(), q.z()});
       return;
     }
-    const Vector v = chart_vector(run, t, norm, observer);
+    const Vector v = coordinates(norm, chart_state(run, t, norm, observer));
     if (!v.allFinite())
       throw std::invalid_argument("the chart has no value at t = " + text(t) + ": " + text(v));
     sequence.points.push_back({v.x(), v.y(), v.z(), 0});
@@ -247,6 +234,20 @@ Recurrence recurrence(PointSequence sequence, double threshold, const Recurrence
   lines.end();
   set_measures(r, lines);
   return r;
+}
+
+std::vector<std::size_t> return_times(const PointSequence& sequence, double distance) {
+  if (!(distance > 0)) {
+    throw std::invalid_argument("the distance must be positive, got " + text(distance));
+  }
+  std::vector<std::size_t> gaps;
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < sequence.size(); ++k) {
+    if (sequence.distance(0, k) >= distance) continue;
+    gaps.push_back(k - last);
+    last = k;
+  }
+  return gaps;
 }
 
 void visit_rows(const Recurrence& matrix, const NeighbourVisitor& visit) {

@@ -11,17 +11,15 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/chart.hpp"
 #include "dynamics/neighbours.hpp"
 #include "motion/run.hpp"
 
 namespace rotor {
 
-/// In what two states are compared.
-enum class RecurrenceNorm { kEulerVector, kRotation, kModifiedGibbs, kGibbs, kMrp };
-
 /// The states at the times, in a chart or as rotations. Throws std::invalid_argument unless there
 /// are two times at least, rising or falling, and where the chart has no value.
-PointSequence recurrence_points(const Run& run, std::span<const double> times, RecurrenceNorm norm,
+PointSequence recurrence_points(const Run& run, std::span<const double> times, Chart norm,
                                 const Observer& observer = {});
 
 /// The distance between neighbours of times that are evenly spaced, to a millionth of it.
@@ -65,7 +63,7 @@ struct Recurrence {
 /// That of a run, with the times of its points.
 struct RunRecurrence {
   std::vector<double> times;
-  RecurrenceNorm norm = RecurrenceNorm::kEulerVector;
+  Chart norm = Chart::kEulerVector;
   Recurrence matrix;
 };
 
@@ -86,6 +84,11 @@ struct RecurrentLag {
 /// fewer than 1/least points cannot measure such a share, and are left out. Throws
 /// std::invalid_argument unless 0 < least <= 1.
 std::vector<RecurrentLag> recurrent_lags(const Recurrence& matrix, double least = 0.01);
+
+/// How many points pass between one that is within `distance` of the first, and the next: in their
+/// order. On a circle [theory 4.3] there are at most three different ones, the greatest the sum of
+/// the others. Throws std::invalid_argument unless the distance is positive.
+std::vector<std::size_t> return_times(const PointSequence& sequence, double distance);
 
 /// Visits the rows of the matrix as visit_neighbours does, without the Theiler window.
 void visit_rows(const Recurrence& matrix, const NeighbourVisitor& visit);

@@ -111,31 +111,4 @@ Plane plane_of_m(const Run& run, std::span<const double> times) {
   return plane;
 }
 
-std::vector<std::size_t> return_times(const Run& run, std::span<const double> times,
-                                      double distance, Norm norm, const Observer& observer) {
-  if (!(distance > 0)) {
-    throw std::invalid_argument("the distance must be positive, got " + text(distance));
-  }
-  const bool in_chart = norm == Norm::kEulerVector;
-  const auto state = [&](double t) { return in_chart ? run(t, observer) : run.attitude(t); };
-  const State first = state(times.front());
-  const Vector e = first.euler_vector();
-  std::vector<std::size_t> gaps;
-  std::size_t last = 0;
-  std::size_t k = 0;
-  visit_times(times, observer, [&](double t) {
-    const State here = state(t);
-    const Quaternion between = first.quaternion.conjugate() * here.quaternion;
-    const double apart =
-        in_chart ? rotor::norm(Vector(here.euler_vector() - e))
-                 : 2 * std::atan2(rotor::norm(Vector(between.vec())), std::abs(between.w()));
-    if (apart < distance && k > 0) {
-      gaps.push_back(k - last);
-      last = k;
-    }
-    ++k;
-  });
-  return gaps;
-}
-
 }  // namespace rotor

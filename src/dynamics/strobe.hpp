@@ -1,7 +1,6 @@
 // The stroboscopic map: a motion at times a period apart.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -34,17 +33,5 @@ struct Plane {
   double off;     // the greatest distance of a point
 };
 Plane plane_of_m(const Run& run, std::span<const double> times);
-
-/// Distances between two states.
-enum class Norm {
-  kEulerVector,  // |E1 - E2|
-  kRotation      // the angle from one attitude to the other, in [0, pi]
-};
-
-/// How many points pass between one that is within `distance` of the first, and the next: in their
-/// order. On a circle there are at most three different ones, the greatest the sum of the others.
-/// Throws std::invalid_argument unless the distance is positive.
-std::vector<std::size_t> return_times(const Run& run, std::span<const double> times,
-                                      double distance, Norm norm, const Observer& observer = {});
 
 }  // namespace rotor

@@ -47,33 +47,18 @@ Matrix euler_rate_jacobian(const State& state, const Vector& omega, double sign)
 
 }  // namespace
 
-const char* name_of(TangentChart chart) {
-  switch (chart) {
-    case TangentChart::kEulerVector:
-      return "euler_vector";
-    case TangentChart::kModifiedGibbs:
-      return "modified_gibbs";
-    case TangentChart::kGibbs:
-      return "gibbs";
-    case TangentChart::kMrp:
-      return "mrp";
-    default:
-      return "rotation";
-  }
-}
-
-Matrix chart_jacobian(TangentChart chart, const State& state) {
+Matrix chart_jacobian(Chart chart, const State& state) {
   const Matrix one = Matrix::Identity();
   switch (chart) {
-    case TangentChart::kEulerVector:
+    case Chart::kEulerVector:
       return exp_jacobian_inverse(state.euler_vector().cast<Extended>()).cast<double>();
-    case TangentChart::kModifiedGibbs:
+    case Chart::kModifiedGibbs:
       return (state.quaternion.w() * one - skew(state.modified_gibbs())) / 2;
-    case TangentChart::kGibbs: {
+    case Chart::kGibbs: {
       const Vector g = state.gibbs();
       return (one + g * g.transpose() - skew(g)) / 2;
     }
-    case TangentChart::kMrp: {
+    case Chart::kMrp: {
       const Vector p = state.mrp();
       return ((1 - p.squaredNorm()) * one + 2 * p * p.transpose() - 2 * skew(p)) / 4;
     }
@@ -82,19 +67,19 @@ Matrix chart_jacobian(TangentChart chart, const State& state) {
   }
 }
 
-Matrix rate_jacobian(TangentChart chart, const State& state, const Vector& omega, Frame frame) {
+Matrix rate_jacobian(Chart chart, const State& state, const Vector& omega, Frame frame) {
   const Matrix one = Matrix::Identity();
   const double sign = frame == Frame::kSpace ? 1 : -1;
   switch (chart) {
-    case TangentChart::kEulerVector:
+    case Chart::kEulerVector:
       return euler_rate_jacobian(state, omega, sign);
-    case TangentChart::kModifiedGibbs:  // M0^2 = 1 - |M|^2
+    case Chart::kModifiedGibbs:  // M0^2 = 1 - |M|^2
       return (sign * skew(omega) - omega * state.gibbs().transpose()) / 2;
-    case TangentChart::kGibbs: {
+    case Chart::kGibbs: {
       const Vector g = state.gibbs();
       return (omega.dot(g) * one + g * omega.transpose() + sign * skew(omega)) / 2;
     }
-    case TangentChart::kMrp: {
+    case Chart::kMrp: {
       // p' = {omega (1 - |p|^2) + 2 p (omega . p) + 2 s omega x p}/4.
       const Vector p = state.mrp();
       return (p.dot(omega) * one + p * omega.transpose() - omega * p.transpose() +
@@ -106,36 +91,32 @@ Matrix rate_jacobian(TangentChart chart, const State& state, const Vector& omega
   }
 }
 
-double distance_from_singularity(TangentChart chart, const State& state) {
+double distance_from_singularity(Chart chart, const State& state) {
   const double cosine = state.quaternion.w();
   const double sine = norm(state.quaternion.vec());
   switch (chart) {
-    case TangentChart::kEulerVector:
+    case Chart::kEulerVector:
       return std::abs(state.angle) < 1 ? 1 : sine;
-    case TangentChart::kModifiedGibbs:
-    case TangentChart::kGibbs:
+    case Chart::kModifiedGibbs:
+    case Chart::kGibbs:
       return std::abs(cosine);
-    case TangentChart::kMrp:
+    case Chart::kMrp:
       return cosine > 0 ? 1 : sine;
     default:
       return 1;
   }
 }
 
-double part_of_chart(TangentChart chart, const State& state) {
+double part_of_chart(Chart chart, const State& state) {
   switch (chart) {
-    case TangentChart::kEulerVector:  // about 0 it is one part, |theta| < 2 pi
+    case Chart::kEulerVector:  // about 0 it is one part, |theta| < 2 pi
       return std::trunc(state.angle / (2 * std::numbers::pi));
-    case TangentChart::kModifiedGibbs:
-    case TangentChart::kGibbs:
+    case Chart::kModifiedGibbs:
+    case Chart::kGibbs:
       return state.quaternion.w() < 0 ? 1 : 0;
     default:
       return 0;
   }
-}
-
-State chart_state(const Run& run, double t, TangentChart chart, const Observer& observer) {
-  return chart == TangentChart::kEulerVector ? run(t, observer) : run.attitude(t);
 }
 
 }  // namespace rotor

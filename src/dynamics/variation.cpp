@@ -18,7 +18,7 @@ constexpr double kNearest = 1e-2;
 
 }  // namespace
 
-Variation::Variation(const Run& run, TangentChart chart, double first_step)
+Variation::Variation(const Run& run, Chart chart, double first_step)
     : run_(run), chart_(chart), h_(first_step) {}
 
 Matrix Variation::rates(double t) const {

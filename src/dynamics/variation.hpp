@@ -10,7 +10,7 @@ namespace rotor {
 /// script is called. Local errors are 1e-12 of d at most.
 class Variation {
  public:
-  Variation(const Run& run, TangentChart chart, double first_step);
+  Variation(const Run& run, Chart chart, double first_step);
 
   /// Follows d, of order 1, from t to t_end. False, with d as it was, where the chart is singular
   /// on the way or nearly so.
@@ -21,7 +21,7 @@ class Variation {
   double step(double t, double h, Matrix& d) const;
 
   const Run& run_;
-  TangentChart chart_;
+  Chart chart_;
   double h_;
 };
 

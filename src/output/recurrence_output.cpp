@@ -8,6 +8,7 @@
 
 #include "dynamics/pair_distances.hpp"
 #include "output/csv.hpp"
+#include "output/page.hpp"
 #include "output/provenance.hpp"
 #include "output/scale.hpp"
 #include "rotation/text.hpp"
@@ -22,14 +23,7 @@ constexpr std::string_view kMarks = ".:*#";  // from more than none, 1/8, 1/4, 1
 struct Square {
   VerticalScale up;
   HorizontalScale across;
-  std::size_t margin;
 };
-
-std::size_t margin_of(const VerticalScale& up) {
-  std::size_t longest = 0;
-  for (const std::string& label : up.labels) longest = std::max(longest, label.size());
-  return longest + 2;
-}
 
 Square square(const Extent& extent, const PlotOptions& options) {
   if (options.height < kLeastHeight)
@@ -38,8 +32,7 @@ Square square(const Extent& extent, const PlotOptions& options) {
     const VerticalScale up = vertical_scale(extent, height);
     const long double rows = (extent.high - extent.low) / up.row_size();
     const int columns = static_cast<int>(std::lround(2 * rows)) + 1;
-    const std::size_t margin = margin_of(up);
-    if (columns + static_cast<int>(margin) <= options.width) return {up, {extent, columns}, margin};
+    if (columns + static_cast<int>(margin_of(up)) <= options.width) return {up, {extent, columns}};
   }
   throw std::invalid_argument("width leaves no room for a picture of 5 rows, got " +
                               std::to_string(options.width));
@@ -97,25 +90,6 @@ class Cells {
   std::vector<std::size_t> row_;
 };
 
-void append_line(std::string& page, const std::string& line) {
-  page.append(line, 0, line.find_last_not_of(' ') + 1).append("\n");
-}
-
-std::string framed(const Square& square, const Cells& cells, double most) {
-  std::string page;
-  std::size_t tick = square.up.labels.size();
-  for (int row = square.up.rows - 1; row >= 0; --row) {
-    std::string label;
-    if (tick > 0 && square.up.tick_rows[tick - 1] == row) label = square.up.labels[--tick];
-    append_line(page, std::string(square.margin - 2 - label.size(), ' ') + label + " |" +
-                          cells.line(static_cast<std::size_t>(row), most));
-  }
-  const BottomAxis axis = bottom_axis(square.across, square.margin);
-  append_line(page, std::string(square.margin - 1, ' ') + '+' + axis.line);
-  append_line(page, axis.labels);
-  return page;
-}
-
 }  // namespace
 
 std::string plot(const RunRecurrence& recurrence, const PlotOptions& options,
@@ -129,13 +103,14 @@ std::string plot(const RunRecurrence& recurrence, const PlotOptions& options,
                                           return true;
                                         }));
   const double most = cells.greatest_share();
-  std::string page;
-  if (!options.title.empty()) append_line(page, options.title);
-  append_line(page, "t");
-  page += framed(scales, cells, most);
-  append_line(page, most > 0 ? ". : * #  over 0, 1/8, 1/4, 1/2 of the share " + text(most, 3)
-                             : "nothing recurs");
-  return page;
+  Page page(static_cast<std::size_t>(options.width));
+  page.centred(options.title, margin_of(scales.up));
+  page.line("t");
+  page.frame(scales.up, scales.across,
+             [&](int row) { return cells.line(static_cast<std::size_t>(row), most); });
+  page.line(most > 0 ? ". : * #  over 0, 1/8, 1/4, 1/2 of the share " + text(most, 3)
+                     : "nothing recurs");
+  return page.take();
 }
 
 bool write_csv(const RunRecurrence& recurrence, const std::filesystem::path& file,

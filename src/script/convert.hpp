@@ -71,7 +71,7 @@ using SharedPoints = std::shared_ptr<const RunPoints>;
 /// What run:lyapunov found, and how.
 struct LyapunovResult {
   LyapunovSpectrum spectrum;
-  TangentChart chart;
+  Chart chart;
   LyapunovMethod method;
   double t0;
   double isometry;

@@ -23,20 +23,6 @@
 namespace rotor::script {
 namespace {
 
-constexpr std::array kCharts = {TangentChart::kEulerVector, TangentChart::kRotation,
-                                TangentChart::kModifiedGibbs, TangentChart::kGibbs,
-                                TangentChart::kMrp};
-
-TangentChart chart_option(lua_State* L, const Options& options) {
-  const std::string given = options.get<std::string>("chart").value_or(name_of(kCharts[0]));
-  std::vector<std::string> known;
-  for (const TangentChart chart : kCharts) {
-    known.emplace_back(name_of(chart));
-    if (given == known.back()) return chart;
-  }
-  throw_with_hint(L, UnknownName("chart", given, known));
-}
-
 // The start of the other motion: a turn of 1 rad about an axis that is no other's.
 double isometry_of(const Run& run, const std::vector<double>& times) {
   std::vector<double> all = {run.t0()};
@@ -52,7 +38,7 @@ Results lyapunov_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const Options options(L, 2, kLyapunov);
   LyapunovResult result;
-  result.chart = chart_option(L, options);
+  result.chart = chart_option(L, options, "chart");
   result.method =
       options.word("method", {"exact", "qr"}) == 0 ? LyapunovMethod::kExact : LyapunovMethod::kQr;
   result.t0 = run->t0();

@@ -65,6 +65,16 @@ PlotOptions look_option(const Options& options) {
   return look;
 }
 
+Chart chart_option(lua_State* L, const Options& options, const char* key) {
+  const std::string given = options.get<std::string>(key).value_or(name_of(kCharts[0]));
+  std::vector<std::string> known;
+  for (const Chart chart : kCharts) {
+    known.emplace_back(name_of(chart));
+    if (given == known.back()) return chart;
+  }
+  throw_with_hint(L, UnknownName(key, given, known));
+}
+
 char separator_option(const Options& options) {
   const std::string separator = options.get<std::string>("separator").value_or(",");
   if (separator.size() != 1)

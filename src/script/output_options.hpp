@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/chart.hpp"
 #include "motion/run.hpp"
 #include "output/canvas.hpp"
 #include "output/columns.hpp"
@@ -38,6 +39,9 @@ std::vector<double> times_option(const Options& options, const Run& run,
 
 /// The options title, width and height of a picture.
 PlotOptions look_option(const Options& options);
+
+/// A chart by its name; "euler_vector" where there is none.
+Chart chart_option(lua_State* L, const Options& options, const char* key);
 
 /// The option separator, one character; a comma by default.
 char separator_option(const Options& options);

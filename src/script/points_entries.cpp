@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/recurrence.hpp"
 #include "dynamics/section.hpp"
 #include "dynamics/strobe.hpp"
 #include "output/run_output.hpp"
@@ -53,7 +54,8 @@ std::function<double(double)> scripted_function(lua_State* L, int index, const S
 }
 
 // normal . X - offset, X the chart.
-std::function<double(double)> plane_function(const Options& options, const SharedRun& run) {
+std::function<double(double)> plane_function(lua_State* L, const Options& options,
+                                             const SharedRun& run) {
   const Vector normal = *options.get<Vector>("plane");
   const double length = norm(normal);
   if (!(length > 0 && std::isfinite(length))) {
@@ -61,14 +63,13 @@ std::function<double(double)> plane_function(const Options& options, const Share
                                 shown(normal));
   }
   const double offset = options.get<double>("offset").value_or(0);
-  const std::size_t chart =
-      options.word("chart", {"euler_vector", "modified_gibbs", "gibbs", "mrp"});
+  const Chart chart = chart_option(L, options, "chart");
+  if (chart == Chart::kRotation) {
+    throw std::invalid_argument("chart: \"rotation\" has no coordinates for a plane");
+  }
   const Observer watch = script::watching(run->t0(), run->t1());
   return [=](double t) {
-    if (chart == 0) return normal.dot((*run)(t, watch).euler_vector()) - offset;
-    const State state = run->attitude(t);
-    const Vector x = chart == 1 ? state.modified_gibbs() : chart == 2 ? state.gibbs() : state.mrp();
-    return normal.dot(x) - offset;
+    return normal.dot(coordinates(chart, chart_state(*run, t, chart, watch))) - offset;
   };
 }
 
@@ -93,7 +94,7 @@ Results section_entry(lua_State* L) {
     }
     f = scripted_function(L, lua_gettop(L), run);
   } else {
-    f = plane_function(options, run);
+    f = plane_function(L, options, run);
   }
   const auto direction = static_cast<Direction>(options.word("direction", {"both", "up", "down"}));
   const auto n = options.get<std::size_t>("n");
@@ -178,10 +179,9 @@ Results return_times_entry(lua_State* L) {
   const SharedPoints& points = argument<SharedPoints>(L, 1);
   const auto distance = argument<double>(L, 2);
   const Options options(L, 3, kReturnTimes);
-  const auto measure = static_cast<Norm>(options.word("norm", {"euler_vector", "rotation"}));
-  if (points->times.empty()) throw std::invalid_argument("there are no points");
-  std::vector<std::size_t> gaps =
-      return_times(*points->run, points->times, distance, measure, watching(*points));
+  const Chart norm = chart_option(L, options, "norm");
+  std::vector<std::size_t> gaps = return_times(
+      recurrence_points(*points->run, points->times, norm, watching(*points)), distance);
   std::sort(gaps.begin(), gaps.end());
   std::vector<std::size_t> different;
   std::vector<std::size_t> counts;
@@ -313,7 +313,8 @@ constexpr Entry kPointsMethods[] = {
      "In how many points the motion comes back within a distance of the first one: the different "
      "numbers, and how often each. On a circle there are three at most, the greatest the sum of "
      "the "
-     "others. norm: \"euler_vector\" (default) |E - E1|, or \"rotation\", the angle between the "
+     "others. norm: as for run:recurrence, \"euler_vector\" (default) |E - E1|, or \"rotation\", "
+     "the angle between the "
      "attitudes.",
      "#" ROTOR_STROBE ":return_times(1) <= 3 --> true"},
 };

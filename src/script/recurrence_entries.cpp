@@ -18,10 +18,6 @@
 namespace rotor::script {
 namespace {
 
-// In the order of RecurrenceNorm.
-const std::vector<std::string> kNorms = {"euler_vector", "rotation", "modified_gibbs", "gibbs",
-                                         "mrp"};
-
 constexpr const char* kRecurrence =
     "run:recurrence{threshold=, rate=, norm=, n=, every=, times=, theiler=, lmin=, vmin=} -> "
     "recurrence";
@@ -36,7 +32,7 @@ Results recurrence_entry(lua_State* L) {
   options.theiler = given.get<std::size_t>("theiler").value_or(options.theiler);
   options.least_diagonal = given.get<std::size_t>("lmin").value_or(options.least_diagonal);
   options.least_vertical = given.get<std::size_t>("vmin").value_or(options.least_vertical);
-  const auto norm = static_cast<RecurrenceNorm>(given.word("norm", kNorms));
+  const auto norm = chart_option(L, given, "norm");
   std::vector<double> times = times_option(given, *run);
   PointSequence points = recurrence_points(*run, times, norm, watching(run->t0(), run->t1()));
   const double distance =
@@ -93,8 +89,7 @@ Results csv(lua_State* L) {
   const SharedRecurrence& r = argument<SharedRecurrence>(L, 1);
   const std::string file = file_argument(L, 2);
   refuse_more_arguments(L, 2);
-  const bool with_json =
-      write_csv(*r, file, scene_name(L), kNorms[static_cast<std::size_t>(r->norm)], watching(0, 1));
+  const bool with_json = write_csv(*r, file, scene_name(L), name_of(r->norm), watching(0, 1));
   print_written(L, file, pairs(r), with_json);
   return {0};
 }
@@ -119,9 +114,8 @@ std::string text_of_recurrence(const SharedRecurrence& r) {
                                            "meaning (lengths in points)"};
   const std::vector<Align> alignment = {Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft};
   std::string result = "recurrence  " + whole(points(r)) + " points, t " + shown(r->times.front()) +
-                       " .. " + shown(r->times.back()) + "\n            " +
-                       kNorms[static_cast<std::size_t>(r->norm)] + " within " +
-                       shown(threshold(r)) + ": " + whole(pairs(r)) + " pairs" +
+                       " .. " + shown(r->times.back()) + "\n            " + name_of(r->norm) +
+                       " within " + shown(threshold(r)) + ": " + whole(pairs(r)) + " pairs" +
                        (options.theiler > 1 ? ", theiler " + whole(options.theiler) : "") + "\n" +
                        rotor::table(header, rows, alignment);
   result.pop_back();

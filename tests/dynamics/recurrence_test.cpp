@@ -144,7 +144,7 @@ TEST_CASE("a periodic motion has whole diagonals, at the multiples of its period
   const double every = 2 * std::numbers::pi / period;
   const auto times = times_every(0, every * static_cast<double>(n - 1), every);
   const Recurrence matrix =
-      recurrence(recurrence_points(turn(times.back()), times, RecurrenceNorm::kRotation), 1e-6);
+      recurrence(recurrence_points(turn(times.back()), times, Chart::kRotation), 1e-6);
   const RecurrenceMeasures& m = matrix.measures;
   // Of lags 20, 40, ... 200: diagonals of 181, 161, ... 1 points.
   CHECK(m.pairs == 10 * 91);
@@ -213,7 +213,7 @@ TEST_CASE("a line has one lag, however its top is made, in the middle of its hal
 TEST_CASE("the Euler vector of P15, T = 40, recurs at the lags of the paper's Figure 11") {
   const Run run = paper_run(2500);
   const auto times = times_every(0, 2500, 0.1);
-  const auto points = recurrence_points(run, times, RecurrenceNorm::kEulerVector);
+  const auto points = recurrence_points(run, times, Chart::kEulerVector);
   const auto check = [&](double threshold, const std::vector<double>& expected) {
     const auto lags = recurrent_lags(recurrence(points, threshold));
     REQUIRE(lags.size() >= expected.size());
@@ -230,7 +230,7 @@ TEST_CASE("the Euler vector of P15, T = 40, recurs at the lags of the paper's Fi
 TEST_CASE("a recurrence matrix is asked for with care") {
   const Run run = turn(10);
   const auto times = times_in(0, 10, 11);
-  const PointSequence points = recurrence_points(run, times, RecurrenceNorm::kMrp);
+  const PointSequence points = recurrence_points(run, times, Chart::kMrp);
   for (const double wrong : {0.0, -1.0, kInf, kNan})
     CHECK_THROWS_WITH(recurrence(points, wrong), Contains("threshold must be positive and finite"));
   for (const double wrong : {0.0, -1.0, 1.5, kNan})
@@ -242,7 +242,7 @@ TEST_CASE("a recurrence matrix is asked for with care") {
   CHECK(recurrence(points, 9, {10, 2, 2}).measures.pairs == 1);
   CHECK_THROWS_WITH(recurrence(points, 1, {1, 0, 2}), Contains("at least 1"));
   const auto points_at = [&](const std::vector<double>& at) {
-    return recurrence_points(run, at, RecurrenceNorm::kEulerVector);
+    return recurrence_points(run, at, Chart::kEulerVector);
   };
   CHECK_THROWS_WITH(points_at({}), Contains("got 0"));
   CHECK_THROWS_WITH(points_at({1}), Contains("two points") && Contains("got 1"));
@@ -258,11 +258,11 @@ TEST_CASE("a chart without a value is refused with its time") {
   Scene scene{omega, 0, 3};
   scene.breaks = {1};
   const Run run = evolve(scene, Rotation(Vector(0, 0, 1), 1));
-  CHECK_THROWS_WITH(recurrence_points(run, times_in(0, 3, 31), RecurrenceNorm::kEulerVector),
+  CHECK_THROWS_WITH(recurrence_points(run, times_in(0, 3, 31), Chart::kEulerVector),
                     Contains("no value at t = 1.0"));
-  CHECK(recurrence_points(run, times_in(0, 3, 31), RecurrenceNorm::kRotation).size() == 31);
+  CHECK(recurrence_points(run, times_in(0, 3, 31), Chart::kRotation).size() == 31);
   const Run half = evolve({AngularVelocity(Vector(0, 0, 1)), 0, 1}, Rotation(Vector(0, 0, 1), 1));
-  PointSequence gibbs = recurrence_points(half, times_in(0, 1, 5), RecurrenceNorm::kGibbs);
+  PointSequence gibbs = recurrence_points(half, times_in(0, 1, 5), Chart::kGibbs);
   CHECK(gibbs.points[0][2] == Approx(std::tan(0.5)).epsilon(1e-14));
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "catch.hpp"
+#include "dynamics/recurrence.hpp"
 #include "spin/models.hpp"
 
 namespace {
@@ -114,17 +115,17 @@ TEST_CASE("the times of return are three at most, the greatest the sum of the ot
                           0, 800000},
                          kStart);
   const std::vector<double> times = strobe_times(run, 40);
-  const auto different = [&](double distance, Norm norm) {
-    const std::vector<std::size_t> gaps = return_times(run, times, distance, norm);
+  const auto different = [&](double distance, Chart norm) {
+    const auto gaps = return_times(recurrence_points(run, times, norm), distance);
     return std::set<std::size_t>(gaps.begin(), gaps.end());
   };
-  CHECK(different(0.3, Norm::kEulerVector) == std::set<std::size_t>{18, 115, 133});  // theory 5
+  CHECK(different(0.3, Chart::kEulerVector) == std::set<std::size_t>{18, 115, 133});  // theory 5
   for (const double distance : {0.05, 0.1, 0.2, 0.5, 1.0}) {
-    const std::set<std::size_t> gaps = different(distance, Norm::kRotation);
+    const std::set<std::size_t> gaps = different(distance, Chart::kRotation);
     CAPTURE(distance);
     REQUIRE(gaps.size() <= 3);
     if (gaps.size() == 3) CHECK(*gaps.rbegin() == *gaps.begin() + *std::next(gaps.begin()));
   }
-  CHECK_THROWS_WITH(return_times(run, times, 0, Norm::kRotation), Contains("positive"));
-  CHECK(return_times(run, times, 1e-12, Norm::kRotation).empty());
+  CHECK_THROWS_WITH(different(0, Chart::kRotation), Contains("positive"));
+  CHECK(different(1e-12, Chart::kRotation).empty());
 }

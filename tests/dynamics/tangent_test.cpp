@@ -10,10 +10,6 @@ namespace {
 
 using namespace rotor;
 
-constexpr TangentChart kCharts[] = {TangentChart::kRotation, TangentChart::kEulerVector,
-                                    TangentChart::kModifiedGibbs, TangentChart::kGibbs,
-                                    TangentChart::kMrp};
-
 State state_of(const Rotation& r) {
   State state;
   state.axis = r.axis();
@@ -22,26 +18,13 @@ State state_of(const Rotation& r) {
   return state;
 }
 
-Vector coordinates(TangentChart chart, const State& state) {
+State at(Chart chart, const Vector& x) {
   switch (chart) {
-    case TangentChart::kEulerVector:
-      return state.euler_vector();
-    case TangentChart::kModifiedGibbs:
-      return state.modified_gibbs();
-    case TangentChart::kGibbs:
-      return state.gibbs();
-    default:
-      return state.mrp();
-  }
-}
-
-State at(TangentChart chart, const Vector& x) {
-  switch (chart) {
-    case TangentChart::kEulerVector:
+    case Chart::kEulerVector:
       return state_of(from_euler_vector(x));
-    case TangentChart::kModifiedGibbs:
+    case Chart::kModifiedGibbs:
       return state_of(from_modified_gibbs(x));
-    case TangentChart::kGibbs:
+    case Chart::kGibbs:
       return state_of(from_gibbs(x));
     default:
       return state_of(from_mrp(x));
@@ -73,8 +56,8 @@ TEST_CASE("the Jacobian of a chart is that of its coordinates by a small rotatio
     // Away from the singularities of all charts: pi, 2 pi.
     const Rotation r(draw.vector(), draw.uniform(0.01, i % 2 == 0 ? 2.0 : 1.0));
     CAPTURE(i, r.angle(), r.axis().transpose());
-    for (const TangentChart chart : kCharts) {
-      if (chart == TangentChart::kRotation) continue;
+    for (const Chart chart : kCharts) {
+      if (chart == Chart::kRotation) continue;
       CAPTURE(name_of(chart));
       const Matrix measured = differences([&](const Vector& e) {
         const Quaternion q = from_euler_vector(e).quaternion() * r.quaternion();
@@ -83,7 +66,7 @@ TEST_CASE("the Jacobian of a chart is that of its coordinates by a small rotatio
       CHECK((chart_jacobian(chart, state_of(r)) - measured).norm() < kTolerance);
     }
   }
-  CHECK(chart_jacobian(TangentChart::kRotation, state_of(Rotation())) == Matrix::Identity());
+  CHECK(chart_jacobian(Chart::kRotation, state_of(Rotation())) == Matrix::Identity());
 }
 
 TEST_CASE("the linearised motion is the derivative of the chart's own equation, in both frames") {
@@ -92,8 +75,8 @@ TEST_CASE("the linearised motion is the derivative of the chart's own equation, 
     const Rotation r(draw.vector(), i < 100 ? draw.uniform(1e-3, 2) : draw.uniform(1e-3, 0.6));
     const Vector omega = draw.vector();
     CAPTURE(i, r.angle(), r.axis().transpose(), omega.transpose());
-    for (const TangentChart chart : kCharts) {
-      if (chart == TangentChart::kRotation) continue;
+    for (const Chart chart : kCharts) {
+      if (chart == Chart::kRotation) continue;
       const Vector x = coordinates(chart, state_of(r));
       for (const Frame frame : {Frame::kSpace, Frame::kBody}) {
         CAPTURE(name_of(chart), frame == Frame::kSpace);
@@ -112,10 +95,10 @@ TEST_CASE("the linearised motion of E beyond pi, and where its series ends") {
   // Both sides of theta = 1/2 with the same E but for 1e-12 of its length: A changes by no more.
   const Vector n = Vector(1, 2, -2) / 3;
   const Vector omega(0.3, -1, 0.5);
-  const Matrix below = rate_jacobian(TangentChart::kEulerVector, state_of(Rotation(n, 0.5 - 1e-12)),
-                                     omega, Frame::kSpace);
-  const Matrix above = rate_jacobian(TangentChart::kEulerVector, state_of(Rotation(n, 0.5 + 1e-12)),
-                                     omega, Frame::kSpace);
+  const Matrix below =
+      rate_jacobian(Chart::kEulerVector, state_of(Rotation(n, 0.5 - 1e-12)), omega, Frame::kSpace);
+  const Matrix above =
+      rate_jacobian(Chart::kEulerVector, state_of(Rotation(n, 0.5 + 1e-12)), omega, Frame::kSpace);
   CHECK((below - above).norm() < 1e-11);
   // Next to 2 pi differences know least: at 5 the singularity is 1.3 away, and (theta/2)/sin, 4.2,
   // is what f grows to.
@@ -125,11 +108,10 @@ TEST_CASE("the linearised motion of E beyond pi, and where its series ends") {
     const Matrix measured = differences([&](const Vector& step) -> Vector {
       const Vector e = x + step;
       const Rotation r(e * (angle < 0 ? -1 : 1), angle < 0 ? -e.norm() : e.norm());
-      return chart_jacobian(TangentChart::kEulerVector, state_of(r)) * omega;
+      return chart_jacobian(Chart::kEulerVector, state_of(r)) * omega;
     });
     const State state = state_of(Rotation(n, angle));
-    CHECK(
-        (rate_jacobian(TangentChart::kEulerVector, state, omega, Frame::kSpace) - measured).norm() <
-        10 * kTolerance);
+    CHECK((rate_jacobian(Chart::kEulerVector, state, omega, Frame::kSpace) - measured).norm() <
+          10 * kTolerance);
   }
 }

@@ -53,7 +53,7 @@ equal(#none, 0)
 contains(tostring(none), "points  0  section")
 equal(none[1], nil)
 contains(select(2, pcall(function() return none.plane end)), "no points")
-contains(select(2, pcall(none.return_times, none, 1)), "no points")
+contains(select(2, pcall(none.return_times, none, 1)), "two points at least are expected, got 0")
 
 -- What is wrong is refused; an error of the script's comes through as it is.
 contains(refused("strobe", 0), "the period must be positive, got 0.0")

@@ -106,7 +106,7 @@ for given, expected in pairs {
   [{ threshold = 1/0 }] = "got inf", [{ threshold = 0/0 }] = "got nan", [{ rate = 0 }] = "rate must be above 0",
   [{ threshold = 1, n = 1 }] = "two points at least", [{ threshold = 1, every = 100 }] = "two points at least",
   [{ threshold = 1, theiler = 1000 }] = "leaves no pair of 1000 points", [{ threshold = 1, lmin = 0 }] = "at least 1",
-  [{ threshold = 1, norm = "euler" }] = "expected one of", [{ treshold = 1 }] = "did you mean 'threshold'",
+  [{ threshold = 1, norm = "euler" }] = "did you mean", [{ treshold = 1 }] = "did you mean 'threshold'",
   [{ threshold = 1, times = { 0, 2, 1 } }] = "rise or fall",
   [{ threshold = 1, times = { 0, 100 } }] = "outside the run",
   [{ threshold = 100, n = 200000 }] = "about 2.0e10 pairs, more than 1e10",
