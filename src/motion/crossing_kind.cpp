@@ -43,6 +43,10 @@ std::optional<std::size_t> first_not_zero(const Derivatives& omega, double t0) {
   return std::nullopt;
 }
 
+std::string in_short(const Vector& v) {
+  return "(" + text(v.x(), 4) + ", " + text(v.y(), 4) + ", " + text(v.z(), 4) + ")";
+}
+
 std::string why_no_limit(const Derivatives& omega, bool steady, bool has_axis) {
   if (is_zero(omega)) {
     return "the body is at rest there, omega and its derivatives are zero: the axis has no limit";
@@ -199,7 +203,8 @@ void Crossings::decide_by_order(const ZeroOrder& order, double w, const Scale& s
     zero.series = std::move(series);
   } else {
     crossing.note = "the motion does not bear out the derivatives of omega, which say order " +
-                    std::to_string(order.order) + ": " + (odd ? "back" : "through");
+                    std::to_string(order.order) + ": " + (odd ? "back" : "through") + ", along " +
+                    in_short(series(0).axis);
   }
   crossing.t_error = order.t_error;
   crossing.order = order.order;
@@ -268,15 +273,16 @@ void Crossings::start_on_zero() {
   } else if (is_zero(omega) && !start_axis_.isZero(0)) {
     zero.limit = start_axis_;
     zero.rate = Vector::Zero();
-    // The axis does not jump to the opposite where the body leaves.
-    if (sign_of_turn(search_.first_turn) * m(zero.end).dot(start_axis_) < 0) {
-      search_.first_turn -= 1;
-    }
     search_.note_of_start =
         "at the start: the body is at rest there, at a multiple of 2 pi: its "
         "axis is that of the start until it leaves";
   } else {
     search_.note_of_start = "at the start: " + why_no_limit(omega, true, false);
+  }
+  // Where no derivative tells, M does: the axis does not jump to the opposite where the body
+  // leaves.
+  if (!zero.series && sign_of_turn(search_.first_turn) * m(zero.end).dot(start_axis_) < 0) {
+    search_.first_turn -= 1;
   }
   search_.zeros.push_back(zero);
   search_.settled = zero.end;

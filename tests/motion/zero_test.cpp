@@ -401,6 +401,25 @@ TEST_CASE("from a rest at 2 pi a body leaves upward or downward, as its axis goe
   }
 }
 
+TEST_CASE("a start on 2 pi whose derivatives tell nothing goes on with its axis") {
+  const Vector k(0, 0, 1);
+  for (const double side : {1.0, -1.0}) {
+    const auto root = function([=](double t) { return Vector(0, 0, side * std::sqrt(t)); });
+    const auto high = function([=](double t) { return Vector(0, 0, side * std::pow(t, 10)); });
+    for (const double turns : {-1.0, 1.0, 2.0}) {
+      CAPTURE(side, turns);
+      const Run by_root = evolve(scene(root, 0, 1, 1e-9), Rotation(k, 2 * kPi * turns));
+      CHECK(std::abs(by_root(1).angle - (2 * kPi * turns + side * 2 / 3)) < 1e-8);
+      const Run by_high = evolve(scene(high, 0, 1), Rotation(k, 2 * kPi * turns));
+      CHECK(std::abs(by_high(1).angle - (2 * kPi * turns + side / 11)) < 1e-9);
+      for (const double t : {0.5, 1.0}) {
+        CHECK((by_root(t).axis - k).norm() < 1e-8);
+        CHECK((by_high(1).axis - k).norm() < 1e-8);
+      }
+    }
+  }
+}
+
 TEST_CASE("a state at rest on 2 pi k does not depend on what was asked before") {
   const auto omega = function(
       [](double t) { return t < 1 ? Vector(0, 0, 2 * kPi) : Vector(t < 2 ? 0 : 1, 0, 0); });
