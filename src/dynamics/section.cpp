@@ -79,9 +79,10 @@ std::vector<double> section(const Run& run, const std::function<double(double)>&
   Sample last{times.front(), std::numeric_limits<double>::quiet_NaN()};
   visit_times(times, observer, [&](double t) {
     const Sample now{t, f(t)};
-    const bool changes = (last.f < 0 && now.f >= 0) || (last.f >= 0 && now.f < 0);
+    if (now.f == 0) return;  // it comes through where it is on the other side
+    const bool changes = (last.f < 0 && now.f > 0) || (last.f > 0 && now.f < 0);
     const bool wanted =
-        direction == Direction::kBoth || (direction == Direction::kUp) == (now.f >= 0);
+        direction == Direction::kBoth || (direction == Direction::kUp) == (now.f > 0);
     if (changes && wanted) {
       if (const auto zero = zero_between(f, last, now)) zeros.push_back(*zero);
     }

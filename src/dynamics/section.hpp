@@ -15,9 +15,9 @@ enum class Direction { kBoth, kUp, kDown };
 /// The times at which f(t) comes through zero, in the order of the motion, upward or downward in
 /// that order: each to the rounding of t and of f. f is looked at `n` times from t0 to t1, evenly,
 /// or else so often that the body turns by less than 0.8 rad in between: a zero that f touches
-/// only, and two between which it is not looked at, are not seen. Where f jumps over zero there is
-/// none, and where it is NaN. Throws std::invalid_argument for n < 2, std::length_error where the
-/// motion is too long to be looked through.
+/// only, or starts or ends on, and two between which it is not looked at, are not seen. Where f
+/// jumps over zero there is none, and where it is NaN. Throws std::invalid_argument for n < 2,
+/// std::length_error where the motion is too long to be looked through.
 std::vector<double> section(const Run& run, const std::function<double(double)>& f,
                             Direction direction, std::optional<std::size_t> n = std::nullopt,
                             const Observer& observer = {});
