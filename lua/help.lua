@@ -103,11 +103,11 @@ local function in_lines(rows, under_type)
   return table.concat(cells, "\n")
 end
 
--- The names alone, as many in a line as fit.
-local function in_names(rows, under_type)
-  local list = {}
-  for i, row in ipairs(rows) do list[i] = usage_in_list(row, under_type):match "^[^%s(]+" end
-  return text.wrap(table.concat(list, "  "), "  ")
+-- The names alone, as many in a line as fit, after a heading.
+local function in_names(rows, heading)
+  local list = { heading }
+  for i, row in ipairs(rows) do list[i + 1] = usage_in_list(row, true):match "^[^%s(]+" end
+  return text.wrap(table.concat(list, "  "), "", "  ")
 end
 
 local kTypeGroups = { { "Fields", "field" }, { "Methods", "method" }, { "Operators", "operator" },
@@ -121,7 +121,7 @@ local function about_type(name)
   local made = makers[1] and ", made by " .. table.concat(makers, ", ") or ""
   local head = text.wrap((names.is_type(name) and "Type " or "Library ") .. name .. made, "", "    ")
   local first
-  local function parts(list, between, list_fields)
+  local function parts(list, between, names_of_fields)
     local all = { head }
     for _, group in ipairs(kTypeGroups) do
       -- That a value has a text goes without saying.
@@ -130,8 +130,8 @@ local function about_type(name)
       end)
       if #rows > 0 then
         first = first or names.full_name(rows[1])
-        local in_list = group[2] == "field" and list_fields or list
-        all[#all + 1] = between .. group[1] .. "\n" .. in_list(rows, group[2] ~= "function")
+        all[#all + 1] = names_of_fields and group[2] == "field" and in_names(rows, group[1])
+          or between .. group[1] .. "\n" .. list(rows, group[2] ~= "function")
       end
     end
     return table.concat(all, "\n")
@@ -141,8 +141,8 @@ local function about_type(name)
   if fits(page, kScreen - 1) then return page end
   page = parts(in_lines, "")
   if not fits(page, kScreen - 2) then
-    local shorter = parts(in_lines, "", in_names)
-    page = fits(shorter, kScreen - 2) and shorter or page
+    local shorter = parts(in_lines, "", true)
+    if fits(shorter, kScreen - 1) then return shorter end
   end
   return ('%s\nOne of them in full: help "%s"'):format(page, first)
 end

@@ -2,7 +2,7 @@
 # Sourced with $root set to the repository. Nothing here reads stdin or writes stdout: both are rotor's.
 
 build_packages='g++ cmake ninja-build pkgconf libeigen3-dev liblua5.4-dev libreadline-dev'
-test_packages="$build_packages catch2 libboost-dev"
+test_packages="$build_packages catch2 libboost-dev gnuplot-nox"
 
 say() { printf 'rotor: %s\n' "$*" >&2; }
 

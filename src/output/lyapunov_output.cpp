@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "output/csv.hpp"
@@ -26,11 +27,11 @@ void write_csv(const LyapunovSpectrum& spectrum, const std::filesystem::path& fi
   writer.commit();
 }
 
-std::string plot(const LyapunovSpectrum& spectrum, double t0, PlotOptions options) {
+Picture picture(const LyapunovSpectrum& spectrum, double t0, PlotOptions look) {
   const std::size_t n = spectrum.times.size();
   std::vector<double> elapsed(n);
-  std::array<Series, 3> series;
-  for (std::size_t k = 0; k < 3; ++k) series[k] = {kNames[k], std::vector<double>(n)};
+  std::vector<Series> series;
+  for (const char* name : kNames) series.push_back({name, std::vector<double>(n)});
   for (std::size_t i = 0; i < n; ++i) {
     elapsed[i] = std::abs(spectrum.times[i] - t0);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -38,11 +39,11 @@ std::string plot(const LyapunovSpectrum& spectrum, double t0, PlotOptions option
       series[k].y[i] = size * elapsed[i] > kRounding ? size : 0;
     }
   }
-  options.log_x = true;
-  options.log_y = true;
-  options.x_label = t0 == 0 ? "t" : "t - t0";
-  options.y_label = "|exponent|";
-  return plot(elapsed, series, options);
+  look.log_x = true;
+  look.log_y = true;
+  look.x_label = t0 == 0 ? "t" : "t - t0";
+  look.y_label = "|exponent|";
+  return {std::move(elapsed), std::move(series), look};
 }
 
 }  // namespace rotor

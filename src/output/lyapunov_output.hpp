@@ -2,10 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "dynamics/lyapunov.hpp"
-#include "output/canvas.hpp"
+#include "output/picture.hpp"
 
 namespace rotor {
 
@@ -14,7 +13,6 @@ namespace rotor {
 void write_csv(const LyapunovSpectrum& spectrum, const std::filesystem::path& file);
 
 /// |exponent| of the three over |t - t0|, on logarithmic axes; what is 0 to rounding is left out.
-/// Throws std::invalid_argument where all are.
-std::string plot(const LyapunovSpectrum& spectrum, double t0, PlotOptions options = {});
+Picture picture(const LyapunovSpectrum& spectrum, double t0, PlotOptions look = {});
 
 }  // namespace rotor

@@ -1,5 +1,7 @@
 #include "output/quantity.hpp"
 
+#include <cmath>
+
 #include "rotation/factoring.hpp"
 
 namespace rotor {
@@ -178,6 +180,10 @@ constexpr std::array kQuantities = {
               [](StateRow& r) { return of(r.rates().axis_rate); }),
     of_motion("euler_rate", "xyz", "dE/dt, rad per unit of t",
               [](StateRow& r) { return of(r.rates().euler_rate); }),
+    of_motion("divergence", "", "2 omega . G, of the field by which G moves [P13], per unit of t",
+              [](StateRow& r) { return of(2 * r.omega().dot(r.attitude().gibbs())); }),
+    of_motion("invariant_density", "", "(1 + |G|^2)^-2, the density of G that all motions keep",
+              [](StateRow& r) { return of(std::pow(r.attitude().quaternion.w(), 4)); }),
 };
 
 }  // namespace

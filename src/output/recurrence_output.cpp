@@ -113,6 +113,34 @@ std::string plot(const RunRecurrence& recurrence, const PlotOptions& options,
   return page.take();
 }
 
+Picture points_picture(const RunRecurrence& recurrence, const PlotOptions& look,
+                       const Observer& observer) {
+  constexpr std::size_t kMost = 1'000'000;
+  if (recurrence.matrix.measures.pairs > kMost / 2) {
+    throw std::length_error(std::to_string(recurrence.matrix.measures.pairs) +
+                            " pairs are too many for a picture of points: give a smaller threshold "
+                            "or fewer times");
+  }
+  Picture picture{{}, {{"t", {}}}, look, true};
+  const auto add = [&](double x, double y) {
+    picture.x.push_back(x);
+    picture.series[0].y.push_back(y);
+  };
+  for (const double t : recurrence.times) add(t, t);
+  visit_rows(recurrence.matrix, watched(recurrence.times.size(), observer,
+                                        [&](std::size_t j, std::span<const std::uint32_t> row) {
+                                          const double t = recurrence.times[j];
+                                          for (const std::uint32_t i : row) {
+                                            add(recurrence.times[i], t);
+                                            add(t, recurrence.times[i]);
+                                          }
+                                          return true;
+                                        }));
+  picture.look.x_label = "t";
+  picture.look.y_label = "t";
+  return picture;
+}
+
 bool write_csv(const RunRecurrence& recurrence, const std::filesystem::path& file,
                const std::string& scene, const std::string& norm, const Observer& observer) {
   static const std::array<std::string, 4> kHeader = {"i", "j", "t_i", "t_j"};

@@ -6,8 +6,7 @@
 #include <string>
 
 #include "dynamics/recurrence.hpp"
-#include "output/canvas.hpp"
-#include "output/json.hpp"
+#include "output/picture.hpp"
 
 namespace rotor {
 
@@ -16,6 +15,10 @@ namespace rotor {
 /// the size leaves no room.
 std::string plot(const RunRecurrence& recurrence, const PlotOptions& options = {},
                  const Observer& observer = {});
+
+/// All its points. Throws std::length_error where there are more than a million.
+Picture points_picture(const RunRecurrence& recurrence, const PlotOptions& look = {},
+                       const Observer& observer = {});
 
 /// Writes the recurrent pairs i < j, counted from 1, with their times, and where they come from as
 /// FILE.json (`scene` and the answer as for a run). Throws std::system_error if a file cannot be

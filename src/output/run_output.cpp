@@ -1,6 +1,8 @@
 #include "output/run_output.hpp"
 
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "output/csv.hpp"
@@ -57,22 +59,36 @@ std::string table(const Run& run, std::span<const double> times, const StateColu
   return number_table(columns.headers(), rows, digits);
 }
 
-std::string plot(const Run& run, std::span<const double> times, const StateColumns& columns,
-                 PlotOptions options, const Observer& observer) {
-  std::vector<Series> series;
+Picture picture(const Run& run, std::span<const double> times, const StateColumns& columns,
+                const PlotOptions& look, const Observer& observer) {
+  Picture picture{{times.begin(), times.end()}, {}, look};
   for (const Column& column : columns.list()) {
-    series.push_back({column.header, {}});
-    if (column.wraps) series.back().jump = std::numbers::pi;
+    picture.series.push_back({column.header, {}});
+    if (column.wraps) picture.series.back().jump = std::numbers::pi;
   }
   std::vector<double> values;
   visit_times(times, observer, [&](double t) {
     values.clear();
     StateRow row(run, t);
     columns.values(row, values);
-    for (std::size_t i = 0; i < values.size(); ++i) series[i].y.push_back(values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) picture.series[i].y.push_back(values[i]);
   });
-  if (options.x_label.empty()) options.x_label = "t";
-  return plot(times, series, options);
+  if (look.x_label.empty()) picture.look.x_label = "t";
+  return picture;
+}
+
+Picture points_picture(const Run& run, std::span<const double> times, const StateColumns& columns,
+                       const PlotOptions& look, const Observer& observer) {
+  Picture over_time = picture(run, times, columns, look, observer);
+  if (over_time.series.size() != 2) {
+    throw std::invalid_argument("expected two components, as \"euler_vector_x\", got " +
+                                listed(columns.headers()));
+  }
+  Picture result{std::move(over_time.series[0].y), {}, look, true};
+  result.look.x_label = over_time.series[0].name;
+  result.look.y_label = over_time.series[1].name;
+  result.series.push_back(std::move(over_time.series[1]));
+  return result;
 }
 
 }  // namespace rotor

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "motion/run.hpp"
-#include "output/canvas.hpp"
 #include "output/columns.hpp"
+#include "output/picture.hpp"
 
 namespace rotor {
 
@@ -25,8 +25,13 @@ bool write_csv(const Run& run, std::span<const double> times, const StateColumns
 std::string table(const Run& run, std::span<const double> times, const StateColumns& columns,
                   int digits, const Observer& observer = {});
 
-/// Columns over time as an ASCII plot.
-std::string plot(const Run& run, std::span<const double> times, const StateColumns& columns,
-                 PlotOptions options = {}, const Observer& observer = {});
+/// Columns over time.
+Picture picture(const Run& run, std::span<const double> times, const StateColumns& columns,
+                const PlotOptions& look = {}, const Observer& observer = {});
+
+/// The second of two columns over the first, at the times. Throws std::invalid_argument unless
+/// there are two.
+Picture points_picture(const Run& run, std::span<const double> times, const StateColumns& columns,
+                       const PlotOptions& look = {}, const Observer& observer = {});
 
 }  // namespace rotor

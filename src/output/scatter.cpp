@@ -10,6 +10,7 @@
 
 #include "output/page.hpp"
 #include "output/scale.hpp"
+#include "output/utf8.hpp"
 
 namespace rotor {
 namespace {
@@ -108,7 +109,10 @@ std::string scatter(std::span<const double> x, std::span<const double> y,
   };
   const std::size_t margin = margin_of(frame.up);
   Page page(static_cast<std::size_t>(options.width));
-  page.centred(options.title, margin);
+  if (!options.title.empty()) {
+    const std::size_t room = columns - std::min(columns, utf8_count(options.title));
+    page.line(std::string(margin + room / 2, ' ') + options.title);
+  }
   if (!options.y_label.empty()) page.line(options.y_label);
   page.frame(frame.up, frame.across, [&](int row) {
     std::string marks;

@@ -47,7 +47,7 @@ std::string SignalSpectrum::unit() const {
 std::vector<std::string> window_names() { return {"hann", "none", "blackman_harris", "flat_top"}; }
 std::vector<std::string> detrend_names() { return {"mean", "none", "linear"}; }
 
-std::string plot(const SignalSpectrum& of, double from, double to, PlotOptions options) {
+Picture picture(const SignalSpectrum& of, double from, double to, PlotOptions look) {
   constexpr double kLowest = 1e-20;
   std::vector<double> x;
   Series series;
@@ -71,10 +71,10 @@ std::string plot(const SignalSpectrum& of, double from, double to, PlotOptions o
   for (double& y : series.y) {
     if (y < kLowest * highest) y = std::numeric_limits<double>::quiet_NaN();
   }
-  options.log_y = true;
-  if (options.y_label.empty()) options.y_label = of.signal.name + ", " + of.unit();
-  if (options.x_label.empty()) options.x_label = "frequency, cycles per unit of t";
-  return plot(x, std::vector{series}, options);
+  look.log_y = true;
+  if (look.y_label.empty()) look.y_label = of.signal.name + ", " + of.unit();
+  if (look.x_label.empty()) look.x_label = "frequency, cycles per unit of t";
+  return {std::move(x), {std::move(series)}, look};
 }
 
 bool write_csv(const SignalSpectrum& of, const std::filesystem::path& file,

@@ -11,8 +11,8 @@
 #include "dynamics/floquet.hpp"
 #include "dynamics/frequencies.hpp"
 #include "dynamics/spectrum.hpp"
-#include "output/canvas.hpp"
 #include "output/columns.hpp"
+#include "output/picture.hpp"
 
 namespace rotor {
 
@@ -45,7 +45,7 @@ std::vector<std::string> detrend_names();
 
 /// The density from frequency `from` to `to` over logarithmic y; what is below 1e-20 of the highest
 /// is a gap. Throws std::invalid_argument where there is nothing between them.
-std::string plot(const SignalSpectrum& spectrum, double from, double to, PlotOptions options = {});
+Picture picture(const SignalSpectrum& spectrum, double from, double to, PlotOptions look = {});
 
 /// Writes FILE with the columns frequency and density, and FILE.json as write_provenance does (with
 /// its answer). Throws std::system_error if a file cannot be written.

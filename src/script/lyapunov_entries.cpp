@@ -10,6 +10,7 @@
 #include "dynamics/birkhoff.hpp"
 #include "dynamics/lyapunov.hpp"
 #include "dynamics/separation.hpp"
+#include "dynamics/tangent.hpp"
 #include "motion/times.hpp"
 #include "output/columns.hpp"
 #include "output/lyapunov_output.hpp"
@@ -55,6 +56,18 @@ Results lyapunov_entry(lua_State* L) {
   return {1};
 }
 
+constexpr const char* kDivergence = "run:divergence(t, {chart=}) -> number";
+Results divergence_entry(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  const auto t = argument<double>(L, 2);
+  const Options options(L, 3, kDivergence);
+  const Chart chart = options.has("chart") ? chart_option(L, options, "chart") : Chart::kGibbs;
+  const State state = chart_state(*run, t, chart, watching(run->t0(), run->t1()));
+  const AngularVelocity& omega = run->driver();
+  Convert<double>::push(L, rate_jacobian(chart, state, omega(t), omega.frame()).trace());
+  return {1};
+}
+
 std::vector<double> list_of(const Vector& v) { return {v.x(), v.y(), v.z()}; }
 
 std::string chart(const LyapunovResult& r) { return name_of(r.chart); }
@@ -76,15 +89,16 @@ double isometry(const LyapunovResult& r) { return r.isometry; }
 std::vector<double> singular(const LyapunovResult& r) { return r.spectrum.singular; }
 std::size_t bridged(const LyapunovResult& r) { return r.spectrum.bridged; }
 
-constexpr const char* kPlot = "lyapunov:plot{title=, width=, height=}";
+constexpr const char* kPlot = "lyapunov:plot{title=, width=, height=, file=}";
 Results plot_entry(lua_State* L) {
   const LyapunovResult& r = argument<LyapunovResult>(L, 1);
-  PlotOptions look = look_option(Options(L, 2, kPlot));
+  const Options options(L, 2, kPlot);
+  PlotOptions look = look_option(options);
   if (look.title.empty()) {
     look.title =
         "finite-time Lyapunov exponents in the chart " + chart(r) + " (the true ones are 0)";
   }
-  print(L, plot(r.spectrum, r.t0, look));
+  show(L, options, picture(r.spectrum, r.t0, look));
   return {0};
 }
 
@@ -200,6 +214,17 @@ constexpr Entry kMethods[] = {
      ROTOR_RUN ":average{of = \"t\", n = 11, weighted = false} --> 2.5"},
 };
 
+constexpr Entry kDivergences[] = {
+    {"divergence", bound<divergence_entry>, kDivergence,
+     "The divergence at t of the field by which the chart's coordinates move, per unit of t: of "
+     "\"gibbs\" (default) 2 omega . G [P13], which is 2 tan(theta/2) dtheta/dt [P14]; of "
+     "\"euler_vector\", \"modified_gibbs\", \"mrp\" the trace of the chart's Jacobian. It says "
+     "what "
+     "the chart does: with the density (1 + |G|^2)^-2 every motion keeps volumes. Both along a run "
+     "are columns of run:csv, divergence and invariant_density.",
+     "evolve{omega = {0, 0, 1}, to = 2}:divergence(0) --> 0.0"},
+};
+
 constexpr Entry kFields[] = {
     {"exponents", bound<exponents>, "lyapunov.exponents -> table",
      "Those at the last time, largest first; nan where the chart is singular there.",
@@ -237,7 +262,8 @@ constexpr Entry kFields[] = {
 
 constexpr Entry kLyapunovMethods[] = {
     {"plot", bound<plot_entry>, kPlot,
-     "Draws |exponent| of the three over t since the start, on logarithmic axes (Figure 8).",
+     "Draws |exponent| of the three over t since the start, on logarithmic axes (Figure 8). "
+     "file: a picture by gnuplot, as for run:plot.",
      ROTOR_LYAPUNOV ":plot{height = 5} --> "},
     {"csv", bound<csv>, "lyapunov:csv(file)",
      "Writes t and the three exponents as CSV: t, largest, middle, least.",
@@ -250,9 +276,8 @@ constexpr Entry kOperators[] = {
 };
 
 constexpr Group kGroups[] = {
-    {"run", Kind::kMethod, kMethods},
-    {"lyapunov", Kind::kField, kFields},
-    {"lyapunov", Kind::kMethod, kLyapunovMethods},
+    {"run", Kind::kMethod, kMethods},          {"run", Kind::kMethod, kDivergences},
+    {"lyapunov", Kind::kField, kFields},       {"lyapunov", Kind::kMethod, kLyapunovMethods},
     {"lyapunov", Kind::kOperator, kOperators},
 };
 

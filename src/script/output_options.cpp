@@ -1,5 +1,6 @@
 #include "script/output_options.hpp"
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "motion/times.hpp"
@@ -33,6 +34,18 @@ void print_written(lua_State* L, const std::string& file, std::size_t rows, bool
                (with_json ? " and " + file + ".json" : ""));
 }
 
+void print_drawn(lua_State* L, const std::string& file) {
+  const std::filesystem::path path(file);
+  print(L, "wrote " + file + ", and what draws it: " +
+               std::filesystem::path(path).replace_extension(".gp").filename().string() + ", " +
+               std::filesystem::path(path).replace_extension(".dat").filename().string());
+}
+
+void warn_without_gnuplot(lua_State* L, const std::string& file) {
+  warn(L, "there is no gnuplot to draw " + file +
+              " (Debian's package gnuplot-nox has it): its script and its data are written");
+}
+
 std::string file_argument(lua_State* L, int index) {
   const std::string file = argument<std::string>(L, index);
   if (file.empty()) throw std::invalid_argument("the file name is empty");
@@ -63,6 +76,16 @@ PlotOptions look_option(const Options& options) {
   look.width = size_option(options, "width", look.width);
   look.height = size_option(options, "height", look.height);
   return look;
+}
+
+void show(lua_State* L, const Options& options, const Picture& picture) {
+  const auto file = options.get<std::string>("file");
+  if (file && draw(picture, *file)) {
+    print_drawn(L, *file);
+    return;
+  }
+  if (file) warn_without_gnuplot(L, *file);
+  print(L, in_characters(picture));
 }
 
 Chart chart_option(lua_State* L, const Options& options, const char* key) {

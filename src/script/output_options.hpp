@@ -8,8 +8,8 @@
 
 #include "dynamics/chart.hpp"
 #include "motion/run.hpp"
-#include "output/canvas.hpp"
 #include "output/columns.hpp"
+#include "output/picture.hpp"
 #include "script/options.hpp"
 
 namespace rotor::script {
@@ -19,6 +19,11 @@ void print(lua_State* L, const std::string& text);
 
 /// "wrote FILE (7 rows) and FILE.json", printed.
 void print_written(lua_State* L, const std::string& file, std::size_t rows, bool with_json);
+
+/// "wrote FILE, and what draws it: ...", printed.
+void print_drawn(lua_State* L, const std::string& file);
+/// On stderr, where FILE could not be drawn for want of gnuplot.
+void warn_without_gnuplot(lua_State* L, const std::string& file);
 
 /// The argument at `index`, a file's name; throws std::invalid_argument if it is empty.
 std::string file_argument(lua_State* L, int index);
@@ -39,6 +44,10 @@ std::vector<double> times_option(const Options& options, const Run& run,
 
 /// The options title, width and height of a picture.
 PlotOptions look_option(const Options& options);
+
+/// What the option `file` names, drawn by gnuplot, and said; printed in characters where it is not
+/// given, and where there is no gnuplot.
+void show(lua_State* L, const Options& options, const Picture& picture);
 
 /// A chart by its name; "euler_vector" where there is none.
 Chart chart_option(lua_State* L, const Options& options, const char* key);

@@ -36,7 +36,8 @@ std::vector<Series> series_argument(lua_State* L, int index) {
   return series;
 }
 
-constexpr const char* kPlot = "plot(x, y, {log=, title=, x_label=, y_label=, width=, height=})";
+constexpr const char* kPlot =
+    "plot(x, y, {log=, title=, x_label=, y_label=, width=, height=, file=})";
 Results plot_entry(lua_State* L) {
   const auto x = argument<std::vector<double>>(L, 1);
   const std::vector<Series> series = series_argument(L, 2);
@@ -50,7 +51,7 @@ Results plot_entry(lua_State* L) {
   }
   look.log_x = log.starts_with('x');
   look.log_y = log.ends_with('y');
-  print(L, plot(x, series, look));
+  show(L, options, {x, series, look});
   return {0};
 }
 
@@ -60,7 +61,7 @@ constexpr Entry kFunctions[] = {
      "by name, {name = list, ...}, each with its own mark. Values that are nan are gaps; one "
      "between gaps is a point. log: \"x\", \"y\" or \"xy\", which axes are logarithmic: x must be "
      "positive there, and other y are gaps. width and height: columns and rows (default 80 and "
-     "20).",
+     "20). file: a picture by gnuplot, as for run:plot.",
      "plot({1, 10, 100}, {1, 1e-4, 1e-8}, {log = \"xy\", height = 9}) --> "},
 };
 

@@ -12,7 +12,6 @@
 #include "dynamics/section.hpp"
 #include "dynamics/strobe.hpp"
 #include "output/run_output.hpp"
-#include "output/scatter.hpp"
 #include "rotation/text.hpp"
 #include "script/binding.hpp"
 #include "script/options.hpp"
@@ -147,30 +146,14 @@ Results table_entry(lua_State* L) {
   return {0};
 }
 
-constexpr const char* kPlot = "points:plot(x, y, {title=, width=, height=})";
+constexpr const char* kPlot = "points:plot(x, y, {title=, width=, height=, file=})";
 Results plot_entry(lua_State* L) {
   const SharedPoints& points = argument<SharedPoints>(L, 1);
   const std::vector<std::string> names{argument<std::string>(L, 2), argument<std::string>(L, 3)};
   const Options options(L, 4, kPlot);
-  const auto columns = columns_of<StateColumns>(L, names);
-  if (columns.list().size() != 2) {
-    throw std::invalid_argument("expected two components, as \"euler_vector_x\", got " +
-                                listed(columns.headers()));
-  }
-  std::vector<double> x;
-  std::vector<double> y;
-  std::vector<double> values;
-  visit_times(points->times, watching(*points), [&](double t) {
-    values.clear();
-    StateRow row(*points->run, t);
-    columns.values(row, values);
-    x.push_back(values[0]);
-    y.push_back(values[1]);
-  });
-  PlotOptions look = look_option(options);
-  look.x_label = columns.list()[0].header;
-  look.y_label = columns.list()[1].header;
-  print(L, scatter(x, y, look));
+  show(L, options,
+       points_picture(*points->run, points->times, columns_of<StateColumns>(L, names),
+                      look_option(options), watching(*points)));
   return {0};
 }
 
@@ -307,7 +290,7 @@ constexpr Entry kPointsMethods[] = {
      ROTOR_STROBE ":table(\"angle\") --> "},
     {"plot", bound<plot_entry>, kPlot,
      "Draws one component over another, as \"euler_vector_x\" and \"euler_vector_y\", in one scale "
-     "for both: * a point, or . : - = + * # % @ the more points in a cell.",
+     "for both: * a point, or . : - = + * # % @ the more points in a cell. file: as for run:plot.",
      ROTOR_STROBE ":plot(\"euler_vector_x\", \"euler_vector_y\") --> "},
     {"return_times", bound<return_times_entry>, kReturnTimes,
      "In how many points the motion comes back within a distance of the first one: the different "

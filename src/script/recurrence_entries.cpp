@@ -77,11 +77,18 @@ Results lags(lua_State* L) {
   return {1};
 }
 
-constexpr const char* kPlot = "recurrence:plot{title=, width=, height=}";
+constexpr const char* kPlot = "recurrence:plot{title=, width=, height=, file=}";
 Results plot_entry(lua_State* L) {
   const SharedRecurrence& r = argument<SharedRecurrence>(L, 1);
   const Options given(L, 2, kPlot);
-  print(L, plot(*r, look_option(given), watching(0, 1)));
+  const PlotOptions look = look_option(given);
+  const auto file = given.get<std::string>("file");
+  if (file && draw(points_picture(*r, look, watching(0, 1)), *file)) {
+    print_drawn(L, *file);
+    return {0};
+  }
+  if (file) warn_without_gnuplot(L, *file);
+  print(L, plot(*r, look, watching(0, 1)));
   return {0};
 }
 
@@ -146,7 +153,7 @@ constexpr Entry kRecurrenceMethods[] = {
      "#" ROTOR_RECURRENCE ":lags() --> 5"},
     {"plot", bound<plot_entry>, kPlot,
      "Draws the recurrence plot, t across and up, square: in each cell a mark by the share of its "
-     "pairs that recur.",
+     "pairs that recur. file: its points by gnuplot, as for run:plot.",
      ROTOR_RECURRENCE ":plot{height = 11} --> "},
     {"csv", bound<csv>, "recurrence:csv(file)",
      "Writes the recurrent pairs as CSV: the numbers i < j of their points, from 1, and their "

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "motion/run.hpp"
+#include "output/animation.hpp"
 #include "output/run_output.hpp"
 #include "rotation/text.hpp"
 #include "script/binding.hpp"
@@ -55,13 +56,34 @@ Results csv(lua_State* L) {
   return {0};
 }
 
-constexpr const char* kPlot = "run:plot(what, {n=, every=, times=, title=, width=, height=})";
+constexpr const char* kPlot =
+    "run:plot(what, {n=, every=, times=, title=, width=, height=, file=})";
 Results plot_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const auto columns = columns_of<StateColumns>(L, argument<Names>(L, 2).list);
   const Options options(L, 3, kPlot);
-  print(L, plot(*run, times_option(options, *run), columns, look_option(options),
-                watching(run->t0(), run->t1())));
+  show(L, options,
+       picture(*run, times_option(options, *run), columns, look_option(options),
+               watching(run->t0(), run->t1())));
+  return {0};
+}
+
+constexpr const char* kAnimate = "run:animate(file, {n=, every=, times=, point=})";
+Results animate_entry(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  const std::string file = file_argument(L, 2);
+  const Options options(L, 3, kAnimate);
+  const std::vector<double> times = times_option(options, *run, 120);
+  const Vector point = options.get<Vector>("point").value_or(Vector(1, 0, 0));
+  if (!(norm(point) > 0 && point.allFinite())) {
+    throw std::invalid_argument("point: expected a place other than 0, got " + shown(point));
+  }
+  if (animate(*run, times, point, file, watching(run->t0(), run->t1()))) {
+    print_drawn(L, file);
+  } else {
+    warn_without_gnuplot(L, file);
+    print(L, in_characters(picture(*run, times, columns_of<StateColumns>(L, {"axis"}))));
+  }
   return {0};
 }
 
@@ -193,7 +215,7 @@ constexpr Entry kMethods[] = {
      "quaternion "
      "(these by default), mrp, shadow_mrp, matrix, gibbs, modified_gibbs, euler_zyx (as all twelve "
      "sequences, "
-     "body axes), omega, angle_rate, axis_rate, euler_rate.",
+     "body axes), omega, angle_rate, axis_rate, euler_rate, divergence, invariant_density.",
      ROTOR_RUN ":csv(\"/dev/null\", {n = 11}) --> "},
     {"table", bound<table_entry>, kTable,
      "Prints quantities or components, as named for run:csv (one name or a list), at n times "
@@ -205,8 +227,19 @@ constexpr Entry kMethods[] = {
     {"plot", bound<plot_entry>, kPlot,
      "Draws quantities or components over t, as named for run:csv: one name or a list of names. "
      "The curve of an "
-     "Euler angle is broken where it goes on from pi to -pi.",
+     "Euler angle is broken where it goes on from pi to -pi. file: a picture instead, by gnuplot, "
+     "\"x.svg\", .png, .pdf or .gif, with its script x.gp and its data x.dat beside it; where "
+     "there is "
+     "no gnuplot these are written, and the plot is printed.",
      ROTOR_RUN ":plot(\"angle\", {height = 5}) --> "},
+    {"animate", bound<animate_entry>, kAnimate,
+     "Draws the motion as FILE, a .gif, by gnuplot: the axis, omega (over its greatest length) and "
+     "a "
+     "point of the body, by its place at the start (point=, default {1, 0, 0}), on the unit "
+     "sphere, "
+     "in n frames (default 120), at every so much or at the given times. The script and the data "
+     "stay beside it; where there is no gnuplot the axis is plotted.",
+     ROTOR_RUN ":animate(\"turn.gif\")"},
 };
 
 constexpr Entry kFields[] = {
@@ -235,7 +268,9 @@ constexpr Entry kFields[] = {
      "#" ROTOR_RUN ".crossings --> 1"},
     {"crossing_tolerance", bound<crossing_tolerance>, "run.crossing_tolerance -> number",
      "How near to 2 pi k, rad, the angle comes where it is a crossing; from four times that on (or "
-     "four times the error) it is a near miss, between them undecided. Twice the error estimate, "
+     "four times the error) it is a near miss, between them undecided. At late t what the rounding "
+     "of t "
+     "makes of the angle is added. Twice the error estimate, "
      "or as given to evolve.",
      ROTOR_RUN ".crossing_tolerance < 1e-13 --> true"},
     {"notes", bound<notes>, "run.notes -> table",

@@ -100,13 +100,14 @@ Results peaks_entry(lua_State* L) {
   return {1};
 }
 
-constexpr const char* kPlot = "spectrum:plot{from=, to=, title=, width=, height=}";
+constexpr const char* kPlot = "spectrum:plot{from=, to=, title=, width=, height=, file=}";
 Results plot_entry(lua_State* L) {
   const auto& s = argument<SignalSpectrum>(L, 1);
   const Options options(L, 2, kPlot);
-  print(L, plot(s, options.get<double>("from").value_or(0),
-                options.get<double>("to").value_or(s.spectrum.frequency.back()),
-                look_option(options)));
+  show(L, options,
+       picture(s, options.get<double>("from").value_or(0),
+               options.get<double>("to").value_or(s.spectrum.frequency.back()),
+               look_option(options)));
   return {0};
 }
 
@@ -249,7 +250,8 @@ constexpr Entry kSpectrumMethods[] = {
      "parabola through three logarithms.",
      "#" ROTOR_LIST ":peaks(3) --> 1"},
     {"plot", bound<plot_entry>, kPlot,
-     "Draws the density over a logarithmic axis, between two frequencies; all by default.",
+     "Draws the density over a logarithmic axis, between two frequencies; all by "
+     "default. file: a picture by gnuplot, as for run:plot.",
      ROTOR_LIST ":plot{height = 5} --> "},
     {"csv", bound<csv_entry>, "spectrum:csv(file)",
      "Writes frequency and density as CSV, and what they are as FILE.json.",

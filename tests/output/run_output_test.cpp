@@ -146,7 +146,8 @@ TEST_CASE("A table and a plot have what is asked") {
   CHECK(text.starts_with("  t           angle_rad\n"));
   CHECK(std::count(text.begin(), text.end(), '\n') == 6);
   const std::vector<std::string> angle = {"angle"};
-  CHECK(plot(run, times, StateColumns(angle)).find("angle_rad") != std::string::npos);
+  CHECK(in_characters(picture(run, times, StateColumns(angle))).find("angle_rad") !=
+        std::string::npos);
 }
 
 TEST_CASE("The curve of an Euler angle is broken where it wraps") {
@@ -157,7 +158,7 @@ TEST_CASE("The curve of an Euler angle is broken where it wraps") {
   // A straight line but for the wrap: no steep part, which is what | stands for, beside the axis.
   const auto bars = [&](const char* name) {
     const std::vector<std::string> names = {name};
-    const std::string text = plot(run, times, StateColumns(names));
+    const std::string text = in_characters(picture(run, times, StateColumns(names)));
     return std::count(text.begin(), text.end(), '|') - std::count(text.begin(), text.end(), '\n');
   };
   CHECK(bars("euler_zyx_1") == bars("angle"));

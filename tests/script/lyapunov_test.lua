@@ -115,3 +115,26 @@ local _, stopped = pcall(evolve, { omega = function(t) return 1, math.cos(t), 0 
   max_steps = 30 })
 local came = stopped.run:lyapunov { n = 11 }
 equal(came.times[10], stopped.run.t1)
+
+-- The divergence [P13] = [P14]; in E by differences of [P7], and 0 of the rotations themselves.
+do
+  local driven = evolve { omega = function(t) return cos(0.5*t), sin(0.5*t), 0.3 end, from = rotation({ 1, 1, 1 }, 1),
+    to = 10 }
+  for _, t in ipairs { 0, 1.3, 7.7 } do
+    local s = driven(t)
+    local expected = 2*dot(s.omega, s.rotation.gibbs)
+    near(expected, driven:divergence(t), 1e-12*(1 + abs(expected)), "[P13]")
+    near(2*tan(s.angle/2)*s.angle_rate, driven:divergence(t), 1e-9*(1 + abs(expected)), "[P14]")
+    near(0, driven:divergence(t, { chart = "rotation" }), 0, "no divergence")
+    local sum, h = 0, 1e-4
+    for _, e in ipairs { vec(1, 0, 0), vec(0, 1, 0), vec(0, 0, 1) } do
+      local function field(x)
+        return dot(e, rotation.left_jacobian_inverse(x)*s.omega)
+      end
+      sum = sum + (field(s.euler_vector + h*e) - field(s.euler_vector - h*e))/(2*h)
+    end
+    near(sum, driven:divergence(t, { chart = "euler_vector" }), 1e-6, "of E, by differences")
+  end
+  contains(select(2, pcall(driven.divergence, driven, 11)), "outside the run")
+  contains(select(2, pcall(driven.divergence, driven, 1, { chart = "gibs" })), "did you mean 'gibbs'")
+end
