@@ -38,7 +38,7 @@ local function path(f, to)
   for step = 1, 24 do arcs[step] = { f((step - 1)*to/24), f(step*to/24) } end
   return arcs
 end
-print "The path of n, in 4 pi once through its places at 0, pi, 2 pi and 3 pi, and that of B, level\n"
+print "The paths of n, through its places at 0, pi, 2 pi and 3 pi, and of B, level\n"
 local both = path(b, 2*pi)
 table.move(path(n, 4*pi), 1, 24, 25, both)
 draw_sphere { points = { omega = { 0, 0, 1 }, ["0"] = n(0), ["pi"] = n(pi), ["2 pi"] = n(2*pi), ["3 pi"] = n(3*pi) },
