@@ -5,7 +5,8 @@
 -- In a period the quaternion goes on by (p + q)/(2 q) turns. So the attitude comes back after q T, from any start, with
 -- q points in the strobe; E and the quaternion do then too if p + q is even, else after 2 q T. alpha = 3/4 (p = 5,
 -- q = 3) has the period 8 pi and three points. The paper's own are none: for T = 40 alpha^2 = (pi/20)^2 is irrational,
--- for T = pi Omega/alpha = sqrt(5)/2.
+-- for T = pi Omega/alpha = sqrt(5)/2. But T = 40 is 0.0012 from p = 58, q = 9, where E is back after 18 T = 720: hence
+-- the clumps of its strobe (figure3.lua).
 --
 --   rotor examples/paper/commensurate.lua              near the paper's alpha = pi/20
 --   rotor examples/paper/commensurate.lua 0.157 50     near 0.157, with p up to 50 (default 100)
@@ -161,4 +162,11 @@ theorem("the nearest alpha with p up to a bound", function()
   end)
   local list = commensurate(0.76, 10)
   near({ 5, 3 }, list[#list], 0, "near 0.76, up to 10: 3/4")
+  list = commensurate(pi/20, 100)
+  near({ 58, 9 }, list[#list], 0, "near the paper's pi/20, up to 100")
+  -- From there rho = (Omega/alpha + 1)/2 is off by |alpha - pi/20|/(2 alpha^2) at most; 18 of it from whole turns by 18
+  -- times that.
+  local off = abs(alpha_of(58, 9) - pi/20)
+  local rho = follow(pi/20, 4):strobe(40).rotation_number
+  near(0, (18*rho + 1/2) % 1 - 1/2, 18*off/(2*alpha_of(58, 9)^2), "for T = 40, turns of E in 18 T")
 end)
