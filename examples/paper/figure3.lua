@@ -7,7 +7,7 @@
 -- points go on along it by Omega/(2 alpha) + 1/2 turns, and clump by the three-gap theorem. The rest is two circles,
 -- of k and of a: a torus. On it theta and the angle of n with k have least values, the one twice the other.
 --
---   rotor examples/paper/figure3.lua DIRECTORY     also writes figure3a.csv (E and n), figure3b.csv and figure3c.csv
+--   rotor examples/paper/figure3.lua figure3.csv   also writes E and n there; the strobes to figure3_b, figure3_c
 
 local T = 40
 local alpha = 2*pi/T
@@ -98,9 +98,10 @@ strobe:plot("euler_vector_x", "euler_vector_y", { height = 14 })
 print "\nFigure 3d: n to t = 4200, from the side; empty round k and -k\n"
 trajectory:plot("axis_x", "axis_z", { height = 16 })
 if arg[1] then
-  short:csv(arg[1] .. "/figure3a.csv", { every = 0.1, columns = { "t", "euler_vector", "axis" } })
-  few:csv(arg[1] .. "/figure3b.csv", { columns = { "t", "euler_vector" } })
-  strobe:csv(arg[1] .. "/figure3c.csv", { columns = { "t", "euler_vector" } })
+  local name = arg[1]:gsub("%.csv$", "")
+  short:csv(name .. ".csv", { every = 0.1, columns = { "t", "euler_vector", "axis" } })
+  few:csv(name .. "_b.csv", { columns = { "t", "euler_vector" } })
+  strobe:csv(name .. "_c.csv", { columns = { "t", "euler_vector" } })
 end
 
 local function range(points)
