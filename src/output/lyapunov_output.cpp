@@ -31,6 +31,7 @@ Picture picture(const LyapunovSpectrum& spectrum, double t0, PlotOptions look) {
   const std::size_t n = spectrum.times.size();
   std::vector<double> elapsed(n);
   std::vector<Series> series;
+  series.reserve(kNames.size());
   for (const char* name : kNames) series.push_back({name, std::vector<double>(n)});
   for (std::size_t i = 0; i < n; ++i) {
     elapsed[i] = std::abs(spectrum.times[i] - t0);
