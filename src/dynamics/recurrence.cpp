@@ -105,6 +105,11 @@ class Lines {
   std::vector<std::uint32_t> row_of_;  // the last row with a point in that column
 };
 
+// nan, of no sign, where there is nothing.
+double ratio(double part, double whole) {
+  return whole == 0 ? std::numeric_limits<double>::quiet_NaN() : part / whole;
+}
+
 void set_measures(Recurrence& r, const Lines& lines) {
   const LineLengths& d = lines.diagonal_lengths;
   const LineLengths& v = lines.vertical_lengths;
@@ -112,13 +117,13 @@ void set_measures(Recurrence& r, const Lines& lines) {
   const std::size_t v_min = r.options.least_vertical;
   RecurrenceMeasures& m = r.measures;
   m.rate = static_cast<double>(m.pairs) / pair_count(r.sequence.size(), r.options.theiler);
-  m.determinism = d.points(l_min) / d.points(1);
-  m.mean_diagonal = d.points(l_min) / d.lines(l_min);
+  m.determinism = ratio(d.points(l_min), d.points(1));
+  m.mean_diagonal = ratio(d.points(l_min), d.lines(l_min));
   m.max_diagonal = d.longest(l_min);
   m.entropy = d.entropy(l_min);
   m.divergence = 1 / static_cast<double>(m.max_diagonal);
-  m.laminarity = v.points(v_min) / v.points(1);
-  m.trapping_time = v.points(v_min) / v.lines(v_min);
+  m.laminarity = ratio(v.points(v_min), v.points(1));
+  m.trapping_time = ratio(v.points(v_min), v.lines(v_min));
   m.max_vertical = v.longest(v_min);
 }
 

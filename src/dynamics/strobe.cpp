@@ -55,7 +55,10 @@ std::vector<double> strobe_times(const Run& run, double period) {
 
 StrobeCircle strobe_circle(const Run& run, std::span<const double> times) {
   const std::vector<Quaternion> turns = turns_since_first(run, times);
-  const double error = run.propagator().error_estimate + 8 * kEpsilon;
+  // The period and the times are rounded.
+  const double of_t = kEpsilon * std::max(std::abs(times.front()), std::abs(times.back())) *
+                      norm(run.propagator().flow->generator(times.front()));
+  const double error = run.propagator().error_estimate + of_t + 8 * kEpsilon;
   // The turn that is known best is the one farthest from 1 and -1.
   const auto farthest =
       std::max_element(turns.begin(), turns.end(), [](const Quaternion& a, const Quaternion& b) {

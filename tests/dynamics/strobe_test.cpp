@@ -70,6 +70,20 @@ TEST_CASE("the points of a strobe go on along a great circle by the rotation num
   }
 }
 
+TEST_CASE(
+    "a period that is no double closes as well as its rounding lets it, however long the run") {
+  for (const double periods : {100.0, 1000.0, 20000.0}) {
+    const Run run = evolve(
+        {AngularVelocity(std::make_shared<const TurningSpin>(Vector(1, 0, 0), Vector(0, 0, 1), 2)),
+         0, periods * kPi},
+        kStart);
+    const StrobeCircle circle = strobe_circle(run, strobe_times(run, kPi));
+    CAPTURE(periods, circle.off);
+    CHECK(circle.closes);
+    CHECK(std::abs(circle.rotation_number - rotation_number(kPi)) <= circle.error);
+  }
+}
+
 TEST_CASE("in the body frame the circle is that of the inverse motion") {
   // Q' = Q omega/2 has Q = Q0 V^k with V* that of the space frame for -omega: V(t) = U(t)* there.
   const Run run = p15(40, 400, true);
