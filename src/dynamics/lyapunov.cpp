@@ -139,13 +139,15 @@ LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times
   LyapunovSpectrum result;
   result.times = after_start(run, times);
   const TangentMap map(run, chart);
-  Variation variation(run, chart, std::abs(result.times.front() - run.t0()));
+  Variation variation(run, chart, std::abs(result.times.front() - run.t0()),
+                      [&map](double t0, double t1) -> Matrix {
+                        return map.at(t1).value() * map.at(t0).value().inverse();
+                      });
   Sums sums;
   sums.add(run.t0(), Vector::Zero());
   Matrix axes = Matrix::Identity();
   Vector sum = Vector::Zero();
-  double last = run.t0();             // where axes and sum are
-  Matrix there = Matrix::Identity();  // D at `last`
+  double last = run.t0();  // where axes and sum are
   visit_times(result.times, observer, [&](double t) {
     const auto d = map.at(t, observer);
     if (!d) {
@@ -159,17 +161,14 @@ LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times
       sum = orthonormalise(q);
       result.history.emplace_back(logs_of_singular_values(*d) / length);
     } else {
-      if (!variation.advance(last, t, axes)) {
-        axes = *d * there.inverse() * axes;
-        ++result.bridged;
-      }
+      variation.advance(last, t, axes);
       sum += orthonormalise(axes);
       result.history.emplace_back(sorted(sum / length));
     }
     sums.add(t, sum);
     last = t;
-    there = *d;
   });
+  result.bridged = variation.bridged();
   result.local = average_rate(sums);
   return result;
 }

@@ -43,8 +43,7 @@ struct LyapunovSpectrum {
   Average local;
   /// The times at which the chart is singular to within the error of the run.
   std::vector<double> singular;
-  /// By kQr: how many intervals between times were crossed by D instead, where the chart is
-  /// singular or nearly so.
+  /// By kQr: how many times D went across instead, where the chart is singular or nearly so.
   std::size_t bridged = 0;
 };
 

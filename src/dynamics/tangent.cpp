@@ -11,13 +11,19 @@
 namespace rotor {
 namespace {
 
-// c'(theta)/theta for the c(theta) = (1 - g)/theta^2 of [P7]. From theta g' = g - g^2 - theta^2/4
-// it is (1/4 - (g + 2) c)/theta^2. Below theta = 1/2 the sum of (2k - 2) |B_2k|/(2k)! theta^(2k-4),
-// k = 2, 3, ..., whose terms fall by (theta/2 pi)^2 < 1/157 or so each: the first left out is 1e-16
-// of the sum. Beyond, the difference cancels at most to theta^4/360, 1.7e-4: 1e-15 in extended
-// precision.
-double curvature(double angle) {
-  const Extended theta2 = Extended{angle} * angle;
+// c(theta) = (1 - g)/theta^2 of [P7] and c'(theta)/theta.
+struct EulerFactors {
+  Extended c;
+  Extended curvature;
+};
+
+// From theta g' = g - g^2 - theta^2/4 it is c'/theta = (1/4 - (g + 2) c)/theta^2. Below theta = 1/2
+// the sum of (2k - 2) |B_2k|/(2k)! theta^(2k-4), k = 2, 3, ..., whose terms fall by (theta/2 pi)^2
+// < 1/157 or so each: the first left out is 1e-16 of the sum. Beyond, the difference cancels at
+// most to theta^4/360, 1.7e-4, and g = (theta/2) M0/|M| is known as the quaternion is: what its
+// rounding does to c theta^2 and c' theta^3, which A is made of, is that of g.
+EulerFactors euler_factors(const State& state) {
+  const Extended theta2 = Extended{state.angle} * state.angle;
   if (theta2 < 0.25L) {
     constexpr Extended kTerms[] = {2.0L / 720,
                                    4.0L / 30240,
@@ -28,21 +34,24 @@ double curvature(double angle) {
                                    14 * 3617.0L / 10670622842880000};
     Extended sum = 0;
     for (int k = 6; k >= 0; --k) sum = sum * theta2 + kTerms[k];
-    return static_cast<double>(sum);
+    return {one_minus_half_cot(state.angle), sum};
   }
-  const Extended g = half_cot(angle);
-  return static_cast<double>((0.25L - (g + 2) * one_minus_half_cot(angle)) / theta2);
+  const Quaternion& q = state.quaternion;
+  const Extended g = Extended{state.angle} / 2 * q.w() / state.axis.dot(q.vec());
+  const Extended c = (1 - g) / theta2;
+  return {c, (0.25L - (g + 2) * c) / theta2};
 }
 
 // Of [P7]: omega - {omega |E|^2 - E (omega . E)} c + s omega x E / 2, s = 1 in the space frame, -1
 // in the body frame.
 Matrix euler_rate_jacobian(const State& state, const Vector& omega, double sign) {
   const Vector e = state.euler_vector();
-  const auto c = static_cast<double>(one_minus_half_cot(state.angle));
+  const EulerFactors factors = euler_factors(state);
+  const auto c = static_cast<double>(factors.c);
   const Vector braces = omega * e.squaredNorm() - e * omega.dot(e);
   return -c * (2 * omega * e.transpose() - omega.dot(e) * Matrix::Identity() -
                e * omega.transpose()) -
-         curvature(state.angle) * braces * e.transpose() + sign / 2 * skew(omega);
+         static_cast<double>(factors.curvature) * braces * e.transpose() + sign / 2 * skew(omega);
 }
 
 }  // namespace

@@ -1,78 +1,161 @@
 #include "dynamics/variation.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "integrate/control.hpp"
-#include "integrate/dop853_tableau.hpp"
-#include "integrate/step.hpp"
+#include "integrate/fgl_tables.hpp"
+#include "integrate/loop.hpp"
 
 namespace rotor {
 namespace {
 
+constexpr int kStages = 12;
+using Stages = Eigen::Matrix<double, kStages, 1>;
+using Square = Eigen::Matrix<double, kStages, kStages>;
+using Blocks = Eigen::Matrix<double, 3 * kStages, 3>;
+
+// Gauss's method on [0, 1].
+struct Collocation {
+  Stages nodes;
+  Stages weights;
+  Square integrals;  // times the values at the nodes: the integrals from 0 to the nodes
+  // Times the values: the last four coefficients of the series of P_n(2 s - 1) through them.
+  Eigen::Matrix<double, 4, kStages> tail;
+};
+
+// c_n = (2 n + 1) sum_j w_j P_n(2 s_j - 1) f(s_j), and the integral of P_n from -1 to x is
+// (P_(n+1) - P_(n-1))/(2 n + 1), x + 1 for n = 0.
+Collocation gauss_collocation() {
+  Collocation method;
+  std::array<std::array<Extended, kStages + 1>, kStages> p{};
+  for (std::size_t j = 0; j < kStages; ++j) {
+    const std::size_t k = j % 6;
+    const Extended x = j < 6 ? kGauss12Nodes[k] : -kGauss12Nodes[k];
+    p[j] = legendre<kStages + 1>(x);
+    method.nodes(static_cast<int>(j)) = static_cast<double>((1 + x) / 2);
+    method.weights(static_cast<int>(j)) = kGauss12Weights[k] / 2;
+  }
+  for (int i = 0; i < kStages; ++i) {
+    const auto& at = p[static_cast<std::size_t>(i)];
+    for (int j = 0; j < kStages; ++j) {
+      const auto& from = p[static_cast<std::size_t>(j)];
+      Extended sum = at[1] + 1;
+      for (std::size_t n = 1; n < kStages; ++n) sum += (at[n + 1] - at[n - 1]) * from[n];
+      method.integrals(i, j) = static_cast<double>(sum / 2) * method.weights(j);
+    }
+    for (int n = 0; n < 4; ++n) {
+      const int degree = kStages - 4 + n;
+      method.tail(n, i) = (2 * degree + 1) * method.weights(i) *
+                          static_cast<double>(at[static_cast<std::size_t>(degree)]);
+    }
+  }
+  return method;
+}
+const Collocation& gauss() {
+  static const Collocation method = gauss_collocation();
+  return method;
+}
+
 // A of E grows with the inverse square of the distance e from 2 pi k, its rounding with the inverse
-// cube, and steps are some e/20 long: at this distance rounding adds 1e-13 a step, a tenth of what
-// is allowed.
+// cube, and steps are some e long: at this distance rounding adds 2e-12 a step.
 constexpr double kNearest = 1e-2;
 
 }  // namespace
 
-Variation::Variation(const Run& run, Chart chart, double first_step)
-    : run_(run), chart_(chart), h_(first_step) {}
+// From d to moved d.
+struct Variation::Step {
+  bool passable = false;
+  Matrix moved = Matrix::Identity();
+  double error = std::numeric_limits<double>::infinity();
+};
 
-Matrix Variation::rates(double t) const {
+Variation::Variation(const Run& run, Chart chart, double first_step, Bridge bridge)
+    : run_(run), chart_(chart), h_(first_step), bridge_(std::move(bridge)) {}
+
+bool Variation::passable(const State& state) const {
+  return part_of_chart(chart_, state) == part_ &&
+         distance_from_singularity(chart_, state) > kNearest;
+}
+
+// X' = A X, X(0) = 1, with X(s) = 1 + h int_0^s A X at the nodes. What the polynomial leaves of X'
+// is of degrees from 12 on, some f_12 P_12 in the series of h A X: at the end it counts by the part
+// of these degrees in what carries it there, X(1) X(s)^-1, which is as smooth as X. That has
+// f_11/46 P_12, and int_0^1 P_12^2 = 1/25. f falls by a ratio every two degrees: f_11 is by its
+// root less than the larger of f_10 and f_11, f_12 by the whole of it.
+Variation::Step Variation::step(double t, double h) const {
+  const Collocation& method = gauss();
   const Frame frame = run_.propagator().frame;
-  const Vector generator = run_.propagator().flow->generator(t);
-  return rate_jacobian(chart_, chart_state(run_, t, chart_),
-                       frame == Frame::kSpace ? generator : Vector(-generator), frame);
-}
-
-// The increment is added to d; the error of it, by Hairer's combination, is the answer.
-double Variation::step(double t, double h, Matrix& d) const {
-  std::array<Matrix, 12> k;
-  for (std::size_t i = 0; i < k.size(); ++i) {
-    k[i] = rates(t + kDop853Tableau.c[i] * h) * (d + h * weighted_sum(kDop853Tableau.a[i], k, i));
-  }
-  d += h * weighted_sum(kDop853Tableau.b, k);
-  const double e5 = std::abs(h) * weighted_sum(kDop853Error5, k).norm();
-  const double e3 = std::abs(h) * weighted_sum(kDop853Error3, k).norm();
-  return e5 == 0 ? 0 : e5 * (e5 / std::hypot(e5, 0.1 * e3));
-}
-
-bool Variation::advance(double t, double t_end, Matrix& d) {
-  constexpr double kAllowed = 1e-12;
-  const double part = part_of_chart(chart_, chart_state(run_, t, chart_));
-  const auto passable = [&](double at) {
+  Step result;
+  Eigen::Matrix<double, 3 * kStages, 3 * kStages> system;
+  std::array<Matrix, kStages> rates;
+  for (int j = 0; j < kStages; ++j) {
+    const double at = t + method.nodes(j) * h;
     const State state = chart_state(run_, at, chart_);
-    return part_of_chart(chart_, state) == part &&
-           distance_from_singularity(chart_, state) > kNearest;
-  };
-  if (!passable(t) || !passable(t_end)) return false;
-  const double first = h_;
-  Matrix moved = d;
+    if (!passable(state)) return result;
+    const Vector generator = run_.propagator().flow->generator(at);
+    Matrix& rate = rates[static_cast<std::size_t>(j)];
+    rate = h * rate_jacobian(chart_, state, frame == Frame::kSpace ? generator : Vector(-generator),
+                             frame);
+    for (int i = 0; i < kStages; ++i)
+      system.block<3, 3>(3 * i, 3 * j) = -method.integrals(i, j) * rate;
+  }
+  result.passable = true;
+  system.diagonal().array() += 1;
+  const Blocks x = system.partialPivLu().solve(Matrix::Identity().replicate<kStages, 1>());
+  std::array<Matrix, 4> tail;
+  tail.fill(Matrix::Zero());
+  for (int j = 0; j < kStages; ++j) {
+    const Matrix slope = rates[static_cast<std::size_t>(j)] * x.block<3, 3>(3 * j, 0);
+    result.moved += method.weights(j) * slope;
+    for (int n = 0; n < 4; ++n) tail[static_cast<std::size_t>(n)] += method.tail(n, j) * slope;
+  }
+  const double before = std::sqrt(tail[0].squaredNorm() + tail[1].squaredNorm());
+  const double last = std::sqrt(tail[2].squaredNorm() + tail[3].squaredNorm());
+  const double ratio = last == 0 ? 0 : std::min(1.0, last / before);
+  result.error = last * last * ratio * std::sqrt(ratio) / (46 * 25);
+  return result;
+}
+
+// The first time that passes, of those twice as far each, or t_end.
+double Variation::end_of_bridge(double t, double t_end) const {
+  for (double h = h_;; h *= 2) {
+    const double end = step_towards(t_end, t, h);
+    if (end == t_end ||
+        distance_from_singularity(chart_, chart_state(run_, end, chart_)) > 2 * kNearest)
+      return end;
+  }
+}
+
+void Variation::advance(double t, double t_end, Matrix& d) {
+  constexpr double kAllowed = 1e-11;
   while (t != t_end) {
+    const State state = chart_state(run_, t, chart_);
+    part_ = part_of_chart(chart_, state);
     const double t_next = step_towards(t_end, t, h_);
-    Matrix next = moved;
-    const double error = step(t, t_next - t, next);
-    const double allowed = kAllowed * moved.norm();
-    const double factor = step_factor(error, allowed, kDop853Tableau.order);
     const double taken = std::abs(t_next - t);
-    if (error <= allowed) {
+    const Step made = step(t, t_next - t);
+    const double allowed = kAllowed * made.moved.norm();
+    if (made.error <= allowed) {
       t = t_next;
-      moved = next;
+      d = made.moved * d;
       // The last step of an interval is as short as its rest: it says nothing against h.
+      const double factor = step_factor(made.error, allowed, 2 * kStages);
       h_ = factor < 1 ? taken * factor : std::max(h_, taken * factor);
+    } else if ((made.passable || distance_from_singularity(chart_, state) > 2 * kNearest) &&
+               taken > shortest_step(t)) {
+      h_ = made.passable ? taken * step_factor(made.error, allowed, 2 * kStages) : taken / 2;
     } else {
-      h_ = taken * factor;
-    }
-    if (!passable(t) || h_ < shortest_step(t)) {
-      h_ = first;
-      return false;
+      const double end = end_of_bridge(t, t_end);
+      d = bridge_(t, end) * d;
+      t = end;
+      ++bridged_;
     }
   }
-  d = moved;
-  return true;
 }
 
 }  // namespace rotor

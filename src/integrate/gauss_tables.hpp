@@ -18,7 +18,17 @@ struct FitPair {
   std::array<double, Degree + 1> second;
 };
 
-/// The positive nodes of Gauss and Legendre on [-1, 1] with their weights: N = 16 and N = 64.
+/// The positive nodes of Gauss and Legendre on [-1, 1] with their weights: N = 12, 16 and 64.
+inline constexpr std::array<Extended, 6> kGauss12Nodes = {
+    0.1252334085114689154724414L,
+    0.3678314989981801937526915L,
+    0.5873179542866174472967024L,
+    0.7699026741943046870368938L,
+    0.9041172563704748566784659L,
+    0.9815606342467192506905491L};
+inline constexpr std::array<double, 6> kGauss12Weights = {
+    0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622,
+    0.10693932599531843, 0.04717533638651183};
 inline constexpr std::array<Extended, 8> kGauss16Nodes = {
     0.09501250983763744018531934L,
     0.2816035507792589132304605L,

@@ -22,7 +22,7 @@ ExtendedQuaternion turn_by_product(const ExtendedVector& axis, double rate, doub
   const double high = rate * t;
   if (!std::isfinite(high)) return turn(axis, angle);
   const Extended rest = (Extended{high} - angle) + Extended{std::fma(rate, t, -high)};
-  return turn(axis, angle) * turn(axis, rest);
+  return turn(axis, angle, rest);
 }
 
 // With R(t) = exp(k rate t) and p = v - rate k, the generator less the turning of the frame, both

@@ -1,8 +1,6 @@
 // Unit vectors and unit quaternions in extended precision, for formulas that round once.
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "rotation/extended.hpp"
 
 namespace rotor {
@@ -13,10 +11,9 @@ inline ExtendedVector direction(const Vector& v, const char* what) {
   return v.cast<Extended>().normalized();
 }
 
-/// (cos angle/2, u sin angle/2) of a unit vector u.
-inline ExtendedQuaternion turn(const ExtendedVector& u, Extended angle) {
-  return ExtendedQuaternion(Eigen::AngleAxis<Extended>(angle, u));
-}
+/// (cos x/2, u sin x/2) of a unit vector u, x = angle + rest, with a small rest that is below the
+/// last digit of the angle. Good to 2^-61 for every finite angle.
+ExtendedQuaternion turn(const ExtendedVector& u, Extended angle, Extended rest = 0);
 
 /// As half_angle_quaternion, but unit to extended precision: of an axis that is unit only to
 /// double.

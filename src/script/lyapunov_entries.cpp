@@ -132,7 +132,7 @@ std::string text_of_lyapunov(const LyapunovResult& r) {
                    : " and " + std::to_string(s.singular.size() - 1) + " more (.singular)");
   }
   if (s.bridged > 0) {
-    result += indent + "intervals with a singularity, crossed by the closed form: " +
+    result += indent + "singularities of the chart, crossed by the closed form: " +
               std::to_string(s.bridged);
   }
   return result + indent + "two motions stay as far apart as they were, to " + text(r.isometry, 2) +
@@ -250,9 +250,8 @@ constexpr Entry kFields[] = {
      "The times at which the chart is singular, to the run's error: no exponents there.",
      "#" ROTOR_LYAPUNOV ".singular --> 0"},
     {"bridged", bound<bridged>, "lyapunov.bridged -> integer",
-     "By \"qr\": how many intervals between times, with a singularity of the chart, were crossed "
-     "by "
-     "the closed form.",
+     "By \"qr\": how many times the closed form went across, where the chart is singular or nearly "
+     "so.",
      ROTOR_LYAPUNOV ".bridged --> 0"},
     {"chart", bound<chart>, "lyapunov.chart -> string", "The chart.",
      ROTOR_LYAPUNOV ".chart --> \"euler_vector\""},

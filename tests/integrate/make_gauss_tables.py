@@ -133,9 +133,9 @@ struct FitPair {
   std::array<double, Degree + 1> second;
 };
 
-/// The positive nodes of Gauss and Legendre on [-1, 1] with their weights: N = 16 and N = 64.
+/// The positive nodes of Gauss and Legendre on [-1, 1] with their weights: N = 12, 16 and 64.
 """)
-    for n in (16, 64):
+    for n in (12, 16, 64):
         pairs = gauss(n)
         out.write(f"inline constexpr std::array<Extended, {n // 2}> kGauss{n}Nodes = {{\n")
         out.write(",\n".join(f"    {nstr(x, 25)}L" for x, _ in pairs) + "};\n")
