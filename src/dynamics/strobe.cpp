@@ -7,8 +7,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "dynamics/floquet.hpp"
+#include "dynamics/fraction.hpp"
 #include "motion/times.hpp"
 #include "rotation/text.hpp"
+#include "spin/models.hpp"
 
 namespace rotor {
 namespace {
@@ -40,6 +43,28 @@ Extended angle_of_advance(std::span<const Quaternion> turns, const Vector& axis)
   return beta;
 }
 
+// The greatest |omega| at a few times of the first period.
+double speed(const Run& run, std::span<const double> times) {
+  constexpr int kLooks = 16;
+  const double period = times.size() > 1 ? times[1] - times[0] : 0;
+  double greatest = 0;
+  for (int i = 0; i < kLooks; ++i) {
+    greatest =
+        std::max(greatest, norm(run.propagator().flow->generator(times[0] + period * i / kLooks)));
+  }
+  return greatest;
+}
+
+// Whether omega repeats with the period by what it is: a whole number of its own ones, which are
+// rounded as the period is.
+bool known_to_repeat(const AngularVelocity& omega, double period) {
+  if (omega.as<ConstantSpin>() != nullptr) return true;
+  const auto own = drive_period(omega);
+  if (!own) return false;
+  const double count = period / *own;
+  return count > 0.5 && std::abs(count - std::nearbyint(count)) <= 4 * kEpsilon * count;
+}
+
 }  // namespace
 
 std::vector<double> strobe_times(const Run& run, double period) {
@@ -56,8 +81,8 @@ std::vector<double> strobe_times(const Run& run, double period) {
 StrobeCircle strobe_circle(const Run& run, std::span<const double> times) {
   const std::vector<Quaternion> turns = turns_since_first(run, times);
   // The period and the times are rounded.
-  const double of_t = kEpsilon * std::max(std::abs(times.front()), std::abs(times.back())) *
-                      norm(run.propagator().flow->generator(times.front()));
+  const double of_t =
+      kEpsilon * std::max(std::abs(times.front()), std::abs(times.back())) * speed(run, times);
   const double error = run.propagator().error_estimate + of_t + 8 * kEpsilon;
   // The turn that is known best is the one farthest from 1 and -1.
   const auto farthest =
@@ -92,6 +117,34 @@ StrobeCircle strobe_circle(const Run& run, std::span<const double> times) {
   // off over its sine.
   circle.closes = circle.off <= 8 * error;
   return circle;
+}
+
+std::optional<Closing> closing(const Run& run, std::span<const double> times, double period,
+                               const StrobeCircle& circle) {
+  const bool known = known_to_repeat(run.driver(), period);
+  if (!circle.closes || (!known && times.size() < 3)) return std::nullopt;
+  // The period, and the numbers in omega, are each known to an epsilon: of the angle of a period,
+  // and of the turn of a frame, 2 pi, of which the circle goes on by half.
+  const double error =
+      circle.error + 2 * kEpsilon * (1 + speed(run, times) * period / static_cast<double>(kTwoPi));
+  Closing result{known, largest_denominator(error), std::nullopt};
+  if (const auto fraction = fraction_within(circle.rotation_number, error)) {
+    // The attitudes go on by twice as much.
+    const auto n = static_cast<std::size_t>(fraction->denominator);
+    result.orbit = ClosedOrbit{n % 2 == 0 ? n / 2 : n, n};
+  }
+  return result;
+}
+
+NearReturn nearest_return(const StrobeCircle& circle, std::size_t most) {
+  const auto off = [&](std::size_t n) {
+    return std::abs(std::remainder(2 * static_cast<double>(n) * circle.rotation_number, 1.0));
+  };
+  std::size_t nearest = 1;
+  for (std::size_t n = 2; n <= most; ++n) {
+    if (off(n) < off(nearest)) nearest = n;
+  }
+  return {nearest, static_cast<double>(kTwoPi) * off(nearest)};
 }
 
 Plane plane_of_m(const Run& run, std::span<const double> times) {

@@ -201,6 +201,19 @@ std::optional<double> rotation_number_error(const SharedPoints& points) {
   const StrobeCircle* const circle = circle_of(points);
   return circle == nullptr ? std::nullopt : std::optional(circle->error);
 }
+std::optional<Closing> closing_of(const SharedPoints& points) {
+  const StrobeCircle* const circle = circle_of(points);
+  if (circle == nullptr) return std::nullopt;
+  return closing(*points->run, points->times, *points->period, *circle);
+}
+std::optional<std::size_t> orbit_period(const SharedPoints& points) {
+  const auto found = closing_of(points);
+  return found && found->orbit ? std::optional(found->orbit->quaternion) : std::nullopt;
+}
+std::optional<std::size_t> attitude_period(const SharedPoints& points) {
+  const auto found = closing_of(points);
+  return found && found->orbit ? std::optional(found->orbit->attitude) : std::nullopt;
+}
 Results plane(lua_State* L) {
   const SharedPoints& points = argument<SharedPoints>(L, 1);
   if (points->times.empty()) throw std::invalid_argument("there are no points");
@@ -211,6 +224,31 @@ Results plane(lua_State* L) {
   Convert<double>::push(L, found.off);
   lua_setfield(L, -2, "off");
   return {1};
+}
+
+std::string periods(std::size_t count) { return count == 1 ? "T" : std::to_string(count) + " T"; }
+// "3 T = 25.132741228718345".
+std::string periods(std::size_t count, double period) {
+  return periods(count) + " = " + shown(static_cast<double>(count) * period);
+}
+
+// Whether the motion under an omega that repeats is periodic, in lines.
+std::string text_of_closing(const RunPoints& points, const StrobeCircle& circle) {
+  const std::string line = "\n        ";
+  const std::size_t n = points.times.size();
+  const auto found = closing(*points.run, points.times, *points.period, circle);
+  if (!found) return line + "two points do not tell whether omega repeats";
+  const std::string seen = line + "if omega goes on as in these " + std::to_string(n) + " points";
+  if (found->orbit) {
+    return line + "periodic: the attitude repeats after " +
+           periods(found->orbit->attitude, *points.period) + line +
+           "the quaternion, and E modulo 4 pi, after " +
+           periods(found->orbit->quaternion, *points.period) + (found->omega_known ? "" : seen);
+  }
+  if (found->most == 0) return line + "too inexact to tell a period";
+  const NearReturn nearest = nearest_return(circle, n - 1);
+  return line + "no multiple of T, to " + std::to_string(found->most) + ", is a period; after " +
+         periods(nearest.periods) + " off by " + rotor::text(nearest.angle, 2) + " rad";
 }
 
 std::string text_of_points(const SharedPoints& points) {
@@ -224,6 +262,7 @@ std::string text_of_points(const SharedPoints& points) {
     result += "\n        rotation number " + shown(circle->rotation_number) + " +- " +
               rotor::text(circle->error, 2);
     if (!circle->axis.hasNaN()) result += "\n        about " + shown(circle->axis);
+    result += text_of_closing(*points, *circle);
   } else {
     result += "\n        omega does not repeat with this period: off the circle by " +
               rotor::text(points->circle->off, 2);
@@ -232,6 +271,9 @@ std::string text_of_points(const SharedPoints& points) {
 }
 
 #define ROTOR_COS "function(t) return cos(pi*t), sin(pi*t), 0 end"
+#define ROTOR_CLOSED                                                               \
+  "evolve{omega = spin.turning{vector = {4, 0, 0}, about = {0, 0, 1}, rate = 3}, " \
+  "to = 9}:strobe(2*pi/3)"
 #define ROTOR_STROBE "evolve{omega = " ROTOR_COS ", to = 40}:strobe(2)"
 
 constexpr Entry kMethods[] = {
@@ -269,6 +311,16 @@ constexpr Entry kPointsFields[] = {
      "The axis of what the motion does in a period, on the side of omega at the start; nil where "
      "there is none, or no rotation number.",
      "norm(" ROTOR_STROBE ".axis) > 0.99 --> true"},
+    {"orbit_period", bound<orbit_period>, "points.orbit_period -> number",
+     "Of a strobe: in how many periods T the quaternion repeats, from any start, and E too unless "
+     "its angle goes through a multiple of 2 pi. nil where the rotation number is no fraction up "
+     "to "
+     "/1000, or so far as one found by chance has a probability of 1e-6; and where omega is not "
+     "known to repeat, by its model or by three points or more.",
+     ROTOR_CLOSED ".orbit_period --> 3"},
+    {"attitude_period", bound<attitude_period>, "points.attitude_period -> number",
+     "In how many the attitude does: as many, or half of that.",
+     ROTOR_CLOSED ".attitude_period --> 3"},
     {"plane", bound<plane>, "points.plane -> table",
      "The plane through 0 that is nearest to the points of M: .normal, unit, and .off, the "
      "greatest "

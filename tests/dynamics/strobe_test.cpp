@@ -4,8 +4,11 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <random>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "catch.hpp"
 #include "dynamics/recurrence.hpp"
@@ -142,4 +145,140 @@ TEST_CASE("the times of return are three at most, the greatest the sum of the ot
   }
   CHECK_THROWS_WITH(different(0, Chart::kRotation), Contains("positive"));
   CHECK(different(1e-12, Chart::kRotation).empty());
+}
+
+namespace {
+
+// Theory 4.5: alpha = q/sqrt(p^2 - q^2), p > q coprime.
+struct Commensurate {
+  int p, q;
+  double alpha() const { return q / std::sqrt(static_cast<double>((p - q) * (p + q))); }
+  std::size_t attitude() const { return static_cast<std::size_t>(q); }
+  std::size_t quaternion() const { return attitude() * ((p + q) % 2 == 0 ? 1 : 2); }
+};
+constexpr Commensurate kCommensurate[] = {{5, 3}, {2, 1}, {3, 1},   {3, 2},  {4, 1},
+                                          {7, 5}, {8, 3}, {13, 12}, {20, 19}};
+
+AngularVelocity turning(double alpha) {
+  return {std::make_shared<const TurningSpin>(Vector(1, 0, 0), Vector(0, 0, 1), alpha)};
+}
+AngularVelocity function(double alpha) {
+  return AngularVelocity(
+      [alpha](double t) { return Vector(std::cos(alpha * t), std::sin(alpha * t), 0); });
+}
+
+std::optional<Closing> closing_of(const AngularVelocity& omega, double period, double t1,
+                                  const Rotation& from = kStart) {
+  const Run run = evolve({omega, 0, t1}, from);
+  const std::vector<double> times = strobe_times(run, period);
+  return closing(run, times, period, strobe_circle(run, times));
+}
+
+}  // namespace
+
+TEST_CASE("a commensurate alpha closes after q periods, the quaternion after q or 2 q") {
+  constexpr unsigned kSeed = 45;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (const Commensurate& one : kCommensurate) {
+    const double alpha = one.alpha();
+    const double period = 2 * kPi / alpha;
+    for (const AngularVelocity& omega : {turning(alpha), function(alpha)}) {
+      const bool known = omega.as<TurningSpin>() != nullptr;
+      for (const AngularVelocity& drive : {omega, omega.in_body_frame()}) {
+        for (const double periods : {2.0, 7.0, 100.0, -7.0}) {
+          const Rotation from(Vector(uniform(random), uniform(random), uniform(random)),
+                              3 * uniform(random));
+          const auto found = closing_of(drive, period, periods * period * (1 + kEpsilon), from);
+          CAPTURE(kSeed, one.p, one.q, known, periods);
+          REQUIRE(found);
+          CHECK(found->omega_known == known);
+          REQUIRE(found->orbit);
+          CHECK(found->orbit->attitude == one.attitude());
+          CHECK(found->orbit->quaternion == one.quaternion());
+          // What it says is so: by the quaternions of the motion itself, which are known to the
+          // estimate each, and to what t is rounded by, |omega| = 1.
+          const double end = static_cast<double>(one.quaternion()) * period;
+          const Run whole = evolve({drive, 0, 1.01 * end}, from);
+          const double margin =
+              2.5 * whole.propagator().error_estimate + 4 * kEpsilon * (end + 2 * kPi);
+          CHECK((whole.attitude(end).quaternion.coeffs() - whole.attitude(0).quaternion.coeffs())
+                    .norm() <= margin);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the paper's T = 40 and T = pi are closed by no number of periods up to 1000") {
+  for (const double period : {40.0, kPi}) {
+    for (const double periods : {2.0, 10.0, 100.0}) {
+      const auto found = closing_of(function(2 * kPi / period), period, periods * period * 1.001);
+      CAPTURE(period, periods);
+      REQUIRE(found);
+      CHECK(found->most == 1000);
+      CHECK(!found->orbit);
+    }
+  }
+  // Whose attitude is nearest after 9 T: twice 9 rotation numbers, 6.4991653 each, from whole.
+  const Run run = p15(40, 4200);
+  const StrobeCircle circle = strobe_circle(run, strobe_times(run, 40));
+  const NearReturn nearest = nearest_return(circle, 100);
+  CHECK(nearest.periods == 9);
+  CHECK(run.attitude(0).quaternion.angularDistance(run.attitude(360).quaternion) ==
+        Approx(nearest.angle).epsilon(0).margin(1e-9));
+}
+
+TEST_CASE("what is nearly commensurate is not taken to be so, unless the error hides it") {
+  for (const Commensurate& one : kCommensurate) {
+    for (const double off : {1e-6, 1e-9, 1e-12, -1e-12}) {
+      const double alpha = one.alpha() + off;
+      const double period = 2 * kPi / alpha;
+      // By so much the rotation number (1 + Omega/alpha)/2 is off; 1.7e-14 at least.
+      const double changed = std::abs(off) / (2 * alpha * alpha * std::sqrt(1 + alpha * alpha));
+      for (const AngularVelocity& omega : {turning(alpha), function(alpha)}) {
+        const Run run = evolve({omega, 0, 10.001 * period}, kStart);
+        const std::vector<double> times = strobe_times(run, period);
+        const StrobeCircle circle = strobe_circle(run, times);
+        const auto found = closing(run, times, period, circle);
+        // Beside its error 2 epsilon (1 + T/2 pi), |omega| = 1.
+        const double known = circle.error + 2 * kEpsilon * (1 + 1 / alpha);
+        CAPTURE(one.p, one.q, alpha, changed, known);
+        REQUIRE(found);
+        if (omega.as<TurningSpin>() != nullptr) CHECK(changed > 2 * known);
+        if (changed > 2 * known) CHECK(!found->orbit);
+        if (changed < known / 2) CHECK(found->orbit);
+      }
+    }
+  }
+}
+
+TEST_CASE("a run too inexact, or too short, or of another period, claims nothing") {
+  const double period = 2 * kPi / 0.75;
+  CHECK(!closing_of(function(0.75), period, 1.01 * period));
+  CHECK(closing_of(turning(0.75), period, 1.01 * period)->orbit->quaternion == 3);
+  CHECK(!closing_of(function(0.75), 0.9 * period, 30 * period));
+  Scene scene{function(0.75), 0, 30 * period};
+  scene.accuracy = 1e-4;
+  const Run run = evolve(scene, kStart);
+  const std::vector<double> times = strobe_times(run, period);
+  StrobeCircle circle = strobe_circle(run, times);
+  circle.error = 1e-3;
+  CHECK(closing(run, times, period, circle)->most == 0);
+  CHECK(!closing(run, times, period, circle)->orbit);
+}
+
+TEST_CASE("a constant omega closes where its turns in a period are a fraction; omega = 0 at once") {
+  const auto periods = [](const Vector& omega, double period) {
+    const auto found = closing_of(AngularVelocity(omega), period, 3.5 * period);
+    REQUIRE(found);
+    CHECK(found->omega_known);
+    return found->orbit ? found->orbit->quaternion : 0;
+  };
+  CHECK(periods(Vector(0, 0, 0), 1) == 1);
+  CHECK(periods(Vector(0, 0, 1), kPi) == 4);          // half a turn
+  CHECK(periods(Vector(0, 3, 4), 2 * kPi / 5) == 2);  // a turn
+  CHECK(periods(Vector(0, 3, 4), 4 * kPi / 5) == 1);  // two
+  CHECK(periods(Vector(1, 0, 0), 4 * kPi / 999) == 999);
+  CHECK(periods(Vector(1, 0, 0), 1) == 0);  // 1/4 pi turns of the quaternion
 }

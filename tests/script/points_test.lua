@@ -37,10 +37,43 @@ equal(wrong.rotation_number, nil)
 equal(wrong.axis, nil)
 contains(tostring(wrong), "does not repeat with this period")
 
+-- Periodic orbits are said: alpha = 3/4 has three points, 1/sqrt(3) one of the attitude and two of the quaternion
+-- [theory 4.5]; the paper's T = 40 none, nor what is not known to repeat.
+local function turning(rate, periods)
+  return evolve { omega = spin.turning { vector = { 1, 0, 0 }, about = { 0, 0, 1 }, rate = rate },
+    from = rotation({ 1, 1, 1 }, 1), to = periods*2*pi/rate }
+end
+local three = turning(3/4, 5):strobe(8*pi/3)
+equal(three.orbit_period, 3)
+equal(three.attitude_period, 3)
+contains(tostring(three), "periodic: the attitude repeats after 3 T = 25.13274")
+contains(tostring(three), "the quaternion, and E modulo 4 pi, after 3 T = 25.13274")
+local two = turning(1/sqrt(3), 5):strobe(2*pi*sqrt(3))
+equal(two.orbit_period, 2)
+equal(two.attitude_period, 1)
+contains(tostring(two), "the attitude repeats after T = 10.88279")
+equal(strobe.orbit_period, nil)
+equal(strobe.attitude_period, nil)
+contains(tostring(strobe), "no multiple of T, to 1000, is a period; after 9 T off by 0.01 rad")
+equal(wrong.orbit_period, nil)
+local function quarter(t) return cos(3*t/4), sin(3*t/4), 0 end
+local seen = evolve { omega = quarter, to = 17 }:strobe(8*pi/3)
+equal(seen.orbit_period, 3)
+contains(tostring(seen), "if omega goes on as in these 3 points")
+local unseen = evolve { omega = quarter, to = 9 }:strobe(8*pi/3)
+equal(unseen.orbit_period, nil)
+contains(tostring(unseen), "two points do not tell whether omega repeats")
+local rough = evolve { omega = quarter, to = 17, method = "rk4", step = 1 }:strobe(8*pi/3)
+equal(rough.orbit_period, nil)
+contains(tostring(rough), "too inexact to tell a period")
+equal(evolve { omega = { 0, 0, 0 }, to = 1 }:strobe(1).orbit_period, 1)
+for _, points in ipairs { three, two, strobe, wrong, seen, unseen, rough } do support.fits(tostring(points)) end
+
 -- A section has the states on the surface.
 local section = run:section { plane = { 0, 0, 1 }, direction = "up" }
 equal(section.period, nil)
 equal(section.rotation_number, nil)
+equal(section.orbit_period, nil)
 for i = 1, #section do
   holds(abs(section[i].euler_vector.z) < 1e-12, "E.z = 0")
   holds(section[i].euler_rate.z > 0, "upward")
