@@ -110,6 +110,13 @@ std::optional<FloquetFrequencies> floquet_frequencies(const Run& run) {
   return floquet_frequencies(run, *period);
 }
 
+std::optional<Fraction> commensurate(const FloquetFrequencies& basis) {
+  if (!(basis.drive > 0)) return std::nullopt;
+  // The numbers in omega, and its period, are rounded.
+  const double ratio = basis.floquet / basis.drive;
+  return fraction_within(ratio, basis.error / basis.drive + 4 * kEpsilon * (1 + ratio));
+}
+
 std::string Combination::name() const {
   const std::string drive = j == 0 ? "" : term(std::abs(j), "drive");
   const std::string floquet = k == 0 ? "" : term(std::abs(k), "f_F");

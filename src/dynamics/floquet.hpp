@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "dynamics/fraction.hpp"
 #include "motion/run.hpp"
 
 namespace rotor {
@@ -31,6 +32,10 @@ std::optional<double> drive_period(const AngularVelocity& omega);
 FloquetFrequencies floquet_frequencies(const Run& run, double period);
 /// With the period that omega is known to have; none where none is, or where the run is shorter.
 std::optional<FloquetFrequencies> floquet_frequencies(const Run& run);
+
+/// f_F over the drive, where that is a fraction (see fraction_within): all frequencies are
+/// commensurate then, and the motion is periodic. None where omega is constant.
+std::optional<Fraction> commensurate(const FloquetFrequencies& basis);
 
 /// j drive + k floquet.
 struct Combination {

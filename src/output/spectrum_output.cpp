@@ -123,6 +123,11 @@ std::string table(const NamedFrequencies& of, int digits) {
     const int most = std::min(digits, kFrequencyDigits);
     result += (of.basis->drive > 0 ? "\ndrive " + text(of.basis->drive, most) + "  " : "\n") +
               "f_F " + text(of.basis->floquet, most);
+    if (const auto ratio = commensurate(*of.basis)) {
+      const std::string over =
+          ratio->denominator == 1 ? "" : "/" + std::to_string(ratio->denominator);
+      result += " = " + std::to_string(ratio->numerator) + over + " drive, commensurate";
+    }
   }
   const std::string amplitude = "amplitude" + (of.signal.unit.empty() ? "" : "_" + of.signal.unit);
   std::vector<std::string> header = {"frequency", "error", amplitude, "phase_rad"};

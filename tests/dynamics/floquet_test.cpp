@@ -99,3 +99,22 @@ TEST_CASE("combinations are the simplest that fit, or none") {
   CHECK_FALSE(combination(basis, 0.0618, 0.01));  // anything would fit
   CHECK_FALSE(combination(basis, 0.0618, std::numeric_limits<double>::quiet_NaN()));
 }
+
+TEST_CASE("f_F over the drive is (p/q - 1)/2 where alpha = q/sqrt(p^2 - q^2), else no fraction") {
+  const auto ratio = [](double alpha) {
+    return commensurate(*floquet_frequencies(evolve({turning(alpha), 0, 100}, Rotation())));
+  };
+  const auto three_quarters = ratio(0.75);  // p = 5, q = 3
+  REQUIRE(three_quarters);
+  CHECK(three_quarters->numerator == 1);
+  CHECK(three_quarters->denominator == 3);
+  const auto third = ratio(1 / std::sqrt(3.0));  // 2, 1
+  REQUIRE(third);
+  CHECK(third->numerator == 1);
+  CHECK(third->denominator == 2);
+  CHECK_FALSE(ratio(0.75 + 1e-12));
+  CHECK_FALSE(ratio(kTwoPi / 40));
+  CHECK_FALSE(ratio(2));
+  CHECK_FALSE(commensurate(
+      *floquet_frequencies(evolve({AngularVelocity(Vector(0, 3, 4)), 0, 1}, Rotation()))));
+}
