@@ -17,10 +17,10 @@ help.topics = {
   { "Rotations", "rotation quaternion slerp mean commute chain spherical_triangle" },
   { "Vectors", "vec dot cross norm unit box orientation orthonormal_basis" },
   { "Matrices", "matrix det outer skew axial proper_orthogonal permutation_sign" },
-  { "Motion", "evolve angular_velocity rotation_rates spin tradeoff spectrum" },
+  { "Motion", "evolve angular_velocity rotation_rates spin spectrum commensurate" },
   { "Data", "read_csv write_csv plot continuous_quaternions fit_rigid is_rigid" },
   { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs floor ceil" },
-  { "Testing", "theorem near holds fails for_each for_all given any" },
+  { "Testing", "theorem near holds fails for_each for_all given any tradeoff" },
   { "Terminal", "help conventions precision draw_sphere" },
 }
 

@@ -130,6 +130,15 @@ return {
       .. ":plot{over = \"seconds\"} draws the errors over omega_calls, seconds or steps, "
       .. ":csv(file) writes the rows.",
     example = '#tradeoff{omega = {0, 0, 1}, to = 1, methods = {"dop853"}, accuracies = {1e-4, 1e-8}}.rows --> 2' },
+  { owner = "", name = "commensurate", kind = "function", result = "commensurate",
+    value = function(...) return require("rotor.commensurate").find(...) end,
+    signature = "commensurate(wish, {most=}) -> commensurate",
+    summary = "The alpha = q/sqrt(p^2 - q^2) for which the motion under (cos alpha t, sin alpha t, 0) is periodic, "
+      .. "ever nearer to a wish, with p up to `most` (default 100, 1e6 at most): the last is the nearest. A list of "
+      .. "{p=, q=, alpha=, T=, off=, attitude_period=, orbit_period=}: T = 2 pi/alpha, off = alpha - wish; after so "
+      .. "many T the attitude, and the quaternion with E, are where they were. Where |omega| is not 1 alpha is the "
+      .. "rate over |omega|. :csv(file) writes the rows.",
+    example = "commensurate(0.76, {most = 10})[3].alpha --> 0.75" },
   { owner = "", name = "draw_sphere", kind = "function", result = "nil",
     value = function(options) return require("rotor.sphere").draw(options) end,
     signature = "draw_sphere{points=, arcs=, from=, width=}",

@@ -83,6 +83,8 @@ return {
   ["run:certify"] = "accuracy guarantee verify bound defect residual error",
   ["run:lyapunov"] = "chaos chaotic stability sensitivity divergence spectrum tangent",
   ["run:average"] = "mean Birkhoff ergodic",
+  commensurate = "periodic orbit closed rational frequencies resonance",
+  ["points.orbit_period"] = "periodic closed commensurate repeats",
   tradeoff = "work-precision work precision benchmark compare methods cost accuracy speed",
   plot = "draw graph chart log logarithmic scatter data",
   ["run:plot"] = "draw graph chart",

@@ -8,69 +8,24 @@
 -- for T = pi Omega/alpha = sqrt(5)/2. But T = 40 is 0.0012 from p = 58, q = 9, where E is back after 18 T = 720: hence
 -- the clumps of its strobe (figure3.lua).
 --
---   rotor examples/paper/commensurate.lua              near the paper's alpha = pi/20
---   rotor examples/paper/commensurate.lua 0.157 50     near 0.157, with p up to 50 (default 100)
+--   rotor examples/paper/commensurate.lua                         near the paper's alpha = pi/20
+--   rotor examples/paper/commensurate.lua 0.157 50                near 0.157, with p up to 50 (default 100)
+--   rotor examples/paper/commensurate.lua 0.157 50 closed.csv     also writes that table, and E over the 8 pi of
+--                                                                 alpha = 3/4 to closed_e.csv
 
 local function alpha_of(p, q) return q/sqrt((p - q)*(p + q)) end
-
-local function coprime(p, q)
-  while q ~= 0 do p, q = q, p % q end
-  return p == 1
-end
-
--- The alpha that are nearer to a wish than any with a lesser p, to the nearest with p <= most, as a list of {p, q}.
--- alpha grows with q/p = sin(atan(alpha)), so that for each p it is one of two q.
-local function commensurate(wish, most)
-  local list, sine, off = {}, sin(atan(wish)), math.huge
-  for p = 2, most do
-    for q = math.max(1, math.min(p - 1, floor(p*sine))), math.max(1, math.min(p - 1, ceil(p*sine))) do
-      local distance = abs(alpha_of(p, q) - wish)
-      -- Of 2 p and 2 q alpha may be rounded to be nearer.
-      if distance < off and coprime(p, q) then
-        list[#list + 1] = { p, q }
-        off = distance
-      end
-    end
-  end
-  return list
-end
-
--- The fraction with the least denominator that a rotation number may be by its error; nil past `most`. By chance one is
--- found with the probability most^2 error, below 1e-7 here.
-local function fraction(number, error, most)
-  for denominator = 1, most do
-    local numerator = floor(number*denominator + 0.5)
-    if abs(number - numerator/denominator) <= error then return numerator % denominator, denominator end
-  end
-end
-local largest = 1000
 
 local start = rotation({ 1, 1, 1 }, 1)
 local function follow(alpha, periods)
   return evolve { omega = function(t) return cos(alpha*t), sin(alpha*t), 0 end, from = start,
     to = periods*2*pi/alpha, accuracy = 1e-12 }
 end
--- Beside the run's own error the rotation number, Omega/(2 alpha) and a half before whole turns are left out, has the
--- roundings of alpha and T, eight of 1.1e-16.
-local function recognised(alpha)
-  local strobe = follow(alpha, 4):strobe(2*pi/alpha)
-  return fraction(strobe.rotation_number, strobe.rotation_number_error + 4e-16*sqrt(1 + 1/alpha^2), largest)
-end
 
 local function periods_of(p, q) return (p + q) % 2 == 0 and q or 2*q end
 
-local wish, most = tonumber(arg[1] or pi/20), tonumber(arg[2] or 100)
-if not wish or not (wish > 0 and wish <= 1e6) then error("alpha is expected to be a number above 0, up to 1e6", 0) end
-if not most or not (most >= 2 and most <= 1e6) then error("the greatest p is expected to be 2 to 1e6", 0) end
-
+local near_wish = commensurate(tonumber(arg[1]) or arg[1] or pi/20, { most = tonumber(arg[2]) or arg[2] })
 print "Near the wish, ever nearer:\n"
-print "    p     q        alpha     off by            T   back after: attitude      E"
-for _, case in ipairs(commensurate(wish, most)) do
-  local p, q = table.unpack(case)
-  local alpha = alpha_of(p, q)
-  print(("%5d %5d  %11.8f  %9.1e  %11.5f  %18d T  %4d T"):format(p, q, alpha, alpha - wish, 2*pi/alpha, q,
-    periods_of(p, q)))
-end
+print(near_wish)
 
 print "\nalpha = 3/4: E, and its strobe of three points\n"
 local closed = follow(3/4, 3)
@@ -78,13 +33,22 @@ closed:strobe(0.02):plot("euler_vector_x", "euler_vector_y", { height = 16 })
 print ""
 closed:strobe(8*pi/3):table { "euler_vector", "angle" }
 
-print "\nRecognised by the rotation number of four periods\n"
-print "  alpha                       turns of E"
+print ""
+print(closed:strobe(8*pi/3))
+
+if arg[3] then
+  local name = arg[3]:gsub("%.csv$", "")
+  near_wish:csv(name .. ".csv")
+  closed:csv(name .. "_e.csv", { every = 0.02, columns = { "t", "euler_vector" } })
+end
+
+print "\nRecognised in four periods\n"
+print "  alpha                       attitude      E"
 for _, case in ipairs { { "3/4", 3/4 }, { "1/sqrt(3)", 1/sqrt(3) }, { "1/sqrt(8)", 1/sqrt(8) },
   { "pi/20, T = 40", pi/20 }, { "2, T = pi", 2 } } do
-  local numerator, denominator = recognised(case[2])
-  print(("  %-15s %12.9f   %s"):format(case[1], case[2],
-    numerator and ("%d/%d"):format(numerator, denominator) or "no fraction up to /" .. largest))
+  local strobe = follow(case[2], 4):strobe(2*pi/case[2])
+  print(("  %-15s %12.9f   %s"):format(case[1], case[2], strobe.orbit_period
+    and ("%d T   %4d T"):format(strobe.attitude_period, strobe.orbit_period) or "no period"))
 end
 print ""
 
@@ -132,23 +96,26 @@ theorem("alpha = 3/4: the period 8 pi, three points; alpha = 1/sqrt(3): 2 pi sqr
     near(-run(0).quaternion, run(2*pi*sqrt(3)).quaternion, known, "the quaternion is its opposite there")
     near(run(0).quaternion, run(4*pi*sqrt(3)).quaternion, known, "and itself at 4 pi sqrt(3)")
   end, { n = 20, seed = 45 })
-  near(3, select(2, fraction(closed:strobe(8*pi/3).rotation_number, 1e-14, 10)), 0, "points of alpha = 3/4")
+  near(3, closed:strobe(8*pi/3).orbit_period, 0, "points of alpha = 3/4")
 end)
 
-theorem("periodic orbits are recognised by the rotation number, (p + q)/(2 q)", function()
+theorem("periodic orbits are recognised, by the rotation number (p + q)/(2 q)", function()
   for_each(cases, function(case)
     local p, q = table.unpack(case)
-    local numerator, denominator = recognised(alpha_of(p, q))
-    near(periods_of(p, q), denominator, 0, "points in the strobe of E")
-    near((p + q) % (2*q)*denominator, numerator*2*q, 0, "(p + q)/(2 q), whole turns left out")
+    local alpha = alpha_of(p, q)
+    local strobe = follow(alpha, 4):strobe(2*pi/alpha)
+    near(periods_of(p, q), strobe.orbit_period, 0, "periods of E")
+    near(q, strobe.attitude_period, 0, "of the attitude")
   end)
-  holds(recognised(pi/20) == nil and recognised(2) == nil, "the paper's T = 40 and T = pi are none, up to /1000")
+  for _, alpha in ipairs { pi/20, 2 } do
+    holds(follow(alpha, 4):strobe(2*pi/alpha).orbit_period == nil, "the paper's T = 40 and T = pi have none")
+  end
 end)
 
 theorem("the nearest alpha with p up to a bound", function()
   for_all({ wish = any.number(0.02, 5), most = any.integer(2, 40) }, function(case)
-    local list = commensurate(case.wish, case.most)
-    local p, q = table.unpack(list[#list])
+    local list = commensurate(case.wish, { most = case.most })
+    local p, q = list[#list].p, list[#list].q
     local nearest = math.huge
     for any_p = 2, case.most do
       for any_q = 1, any_p - 1 do nearest = math.min(nearest, abs(any_q/sqrt(any_p^2 - any_q^2) - case.wish)) end
@@ -160,10 +127,10 @@ theorem("the nearest alpha with p up to a bound", function()
     for divisor = 2, q do divisors = divisors + (p % divisor == 0 and q % divisor == 0 and 1 or 0) end
     near(0, divisors, 0, "no common divisor")
   end)
-  local list = commensurate(0.76, 10)
-  near({ 5, 3 }, list[#list], 0, "near 0.76, up to 10: 3/4")
-  list = commensurate(pi/20, 100)
-  near({ 58, 9 }, list[#list], 0, "near the paper's pi/20, up to 100")
+  local list = commensurate(0.76, { most = 10 })
+  near({ 5, 3 }, { list[#list].p, list[#list].q }, 0, "near 0.76, up to 10: 3/4")
+  list = commensurate(pi/20)
+  near({ 58, 9 }, { list[#list].p, list[#list].q }, 0, "near the paper's pi/20, up to 100")
   -- From there rho = (Omega/alpha + 1)/2 is off by |alpha - pi/20|/(2 alpha^2) at most; 18 of it from whole turns by 18
   -- times that.
   local off = abs(alpha_of(58, 9) - pi/20)
