@@ -19,7 +19,7 @@ read_globals = {
   "rotation", "quaternion", "slerp", "angular_velocity", "rotation_rates", "chain", "commute", "fit_rigid", "mean",
   "is_rigid", "continuous_quaternions", "spherical_triangle", "draw_sphere",
   -- motion
-  "spin", "evolve", "commensurate", "tradeoff", "read_csv", "write_csv", "plot", "spectrum",
+  "spin", "evolve", "commensurate", "tradeoff", "compare_charts", "read_csv", "write_csv", "plot", "spectrum",
   -- scripted tests
   "theorem", "near", "holds", "fails", "for_each", "for_all", "given", "any",
   -- the terminal

@@ -15,13 +15,13 @@ local kScreen = 23  -- lines, beside that of the prompt
 --- The order in which the overview and the reference show the global names; what is not here comes under "Other".
 help.topics = {
   { "Rotations", "rotation quaternion slerp mean commute chain spherical_triangle" },
-  { "Vectors", "vec dot cross norm unit box orientation orthonormal_basis" },
+  { "Vectors", "vec dot cross norm unit box orientation orthonormal_basis is_rigid" },
   { "Matrices", "matrix det outer skew axial proper_orthogonal permutation_sign" },
-  { "Motion", "evolve angular_velocity rotation_rates spin spectrum commensurate" },
-  { "Data", "read_csv write_csv plot continuous_quaternions fit_rigid is_rigid" },
+  { "Motion", "evolve angular_velocity rotation_rates spin compare_charts commensurate" },
+  { "Data", "read_csv write_csv spectrum continuous_quaternions fit_rigid" },
   { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs floor ceil" },
   { "Testing", "theorem near holds fails for_each for_all given any tradeoff" },
-  { "Terminal", "help conventions precision draw_sphere" },
+  { "Terminal", "help conventions precision plot draw_sphere" },
 }
 
 -- What the type rotation has that the topics do not show and many come for.

@@ -139,6 +139,19 @@ return {
       .. "many T the attitude, and the quaternion with E, are where they were. Where |omega| is not 1 alpha is the "
       .. "rate over |omega|. :csv(file) writes the rows.",
     example = "commensurate(0.76, {most = 10})[3].alpha --> 0.75" },
+  { owner = "", name = "compare_charts", kind = "function", result = "charts",
+    value = function(options) return require("rotor.charts").compare(options) end,
+    signature = "compare_charts{omega=, to=, t=, from=, equations=, n=, every=, times=, ...} -> charts",
+    summary = "One motion by the equations of several charts (as evolve's equation=; all by default, \"generalized\" "
+      .. "if there is f), each with evolve's other options (method is \"dop853\" if not given; restart and "
+      .. "singularity for the equations that take them) as far as it goes, and how far it is from evolve's own "
+      .. "method, which is the reference, at the times (as run:sample) and where it stops: the angle between the "
+      .. "attitudes. A table: .rows[i] has .equation, .disagreement (rad, the greatest; .at a time; .disagreements at "
+      .. ".times), .steps, .omega_calls, .estimate, .reached, .complete, .run, and if it stopped, .stopped and "
+      .. ".singular (\"theta = pi\"); .farthest is {one, other, disagreement=, at=}; .reference says what it is, "
+      .. ".reference_estimate its error, .lost_sign when theta = pi first, where M [P8] without its cosine goes "
+      .. "wrong. :plot{} draws the disagreements over t, :csv(file) writes the rows.",
+    example = 'compare_charts{omega = {0, 0, 1}, to = 7, equations = {"gibbs"}}.rows[1].singular --> "theta = pi"' },
   { owner = "", name = "draw_sphere", kind = "function", result = "nil",
     value = function(options) return require("rotor.sphere").draw(options) end,
     signature = "draw_sphere{points=, arcs=, from=, width=}",

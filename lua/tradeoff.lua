@@ -1,10 +1,11 @@
 -- tradeoff{...}: what accuracy costs, method by method, against the best reference there is.
 local names = require "rotor.names"
+local scenes = require "rotor.scene"
 local text = require "rotor.text"
 
 -- As registered, whatever a script has made of the global names.
-local evolve, plot, write_csv = names.find("", "evolve").value, names.find("", "plot").value,
-  names.find("", "write_csv").value
+local plot, write_csv = names.find("", "plot").value, names.find("", "write_csv").value
+local refuse, made, distance = scenes.refuse, scenes.made, scenes.distance
 
 local tradeoff = {}
 
@@ -15,26 +16,7 @@ local kTimes = 100          -- at which a run is compared, the end among them
 local kBest = 1e-14         -- the accuracy asked of a reference
 local kLong, kMost = 0.02, 5  -- a run that takes longer, in seconds, is timed once, others so many times
 
--- What is wrong with the options is raised as { message }.
-local function refuse(...) error({ string.format(...) }, 0) end
-
 -- What is asked for --------------------------------------------------------------------------------------------------
-
-local function check_keys(options)
-  if names.type_of(options) ~= "table" then
-    refuse("expected options in braces, got %s", names.type_of(options))
-  end
-  local known, all = {}, {}
-  for _, keys in ipairs { kScene, kOwn } do
-    for _, key in ipairs(keys) do known[key], all[#all + 1] = true, key end
-  end
-  for key in pairs(options) do
-    if not known[key] then
-      local guess = type(key) == "string" and names.suggest(key, all)
-      refuse("unknown option '%s'%s", tostring(key), guess and "; did you mean '" .. guess .. "'?" or "")
-    end
-  end
-end
 
 -- t0 and t1; evolve says what else is wrong with them.
 local function interval_of(options)
@@ -93,15 +75,6 @@ end
 
 -- Runs ---------------------------------------------------------------------------------------------------------------
 
--- The run, or nil and the error object of one that stopped; what was wrong with the request is refused.
-local function made(options)
-  local ended, run = pcall(evolve, options)
-  if ended then return run end
-  if names.type_of(run) == "stop" and run.reason ~= "interrupted" then return nil, run end
-  if type(run) == "string" then refuse("%s", run:match "evolve: (.*)" or run) end
-  error(run, 0)
-end
-
 local function median(list)
   table.sort(list)
   return (list[(#list + 1)//2] + list[#list//2 + 1])/2
@@ -113,12 +86,6 @@ local function timed(options)
   local seconds = { run.cost.seconds }
   while seconds[1] < kLong and #seconds < kMost do seconds[#seconds + 1] = made(options).cost.seconds end
   return run, median(seconds)
-end
-
--- The angle between two attitudes, by their quaternions: good to the last digit at 0 too.
-local function distance(p, q)
-  local d = p:conj()*q
-  return 2*math.atan(math.sqrt(d.x^2 + d.y^2 + d.z^2), math.abs(d.w))
 end
 
 local function quaternion_of(value, t)
@@ -309,7 +276,7 @@ function methods:csv(file)
 end
 
 local function measured(options)
-  check_keys(options)
+  scenes.check_keys(options, kScene, kOwn)
   local t0, t1 = interval_of(options)
   local runs = runs_of(options)
   local references = references_of(options, t0, t1)
@@ -331,12 +298,7 @@ end
 
 --- The global function tradeoff{...}.
 function tradeoff.measure(options)
-  local ended, result = pcall(measured, options)
-  if ended then return result end
-  if type(result) == "table" and #result == 1 and not getmetatable(result) then
-    error("tradeoff: " .. result[1], 2)
-  end
-  error(result, 0)
+  return scenes.answer("tradeoff", measured, options)
 end
 
 return tradeoff

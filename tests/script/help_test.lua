@@ -186,7 +186,7 @@ local function check_layout(entries)
   fits(fresh.overview())
   local _, lines = fresh.overview():gsub("\n", "")
   if lines + 1 > 23 then error("the overview has " .. lines + 1 .. " lines, and the prompt needs one of 24") end
-  for _, name in ipairs { "evolve", "spin", "run", "state", "cost", "tradeoff" } do
+  for _, name in ipairs { "evolve", "spin", "run", "state", "cost", "tradeoff", "compare_charts" } do
     local _, more = fresh.text(name):gsub("\n", "")
     if more + 1 > 23 then error(("the page of %s has %d lines"):format(name, more + 1)) end
   end
