@@ -217,7 +217,11 @@ local function measured(options)
   local reference, stop = scenes.made(best)
   if not reference then refuse("no reference: %s", tostring(stop):match "evolve: (.*)") end
   local given, states = pcall(reference.sample, reference, copied(options, kTimes))
-  if not given then refuse("%s", tostring(states):match "sample: (.*)" or tostring(states)) end
+  if not given then
+    local wrong = type(states) == "string" and states:match "sample: (.*)"
+    if wrong then refuse("%s", wrong) end
+    error(states, 0)
+  end
   local times, quaternions, rows, all = {}, {}, {}, {}
   for i, state in ipairs(states) do times[i], quaternions[i] = state.t, state.quaternion end
   local lost

@@ -17,8 +17,8 @@ help.topics = {
   { "Rotations", "rotation quaternion slerp mean commute chain spherical_triangle" },
   { "Vectors", "vec dot cross norm unit box orientation orthonormal_basis is_rigid" },
   { "Matrices", "matrix det outer skew axial proper_orthogonal permutation_sign" },
-  { "Motion", "evolve angular_velocity rotation_rates spin compare_charts commensurate" },
-  { "Data", "read_csv write_csv spectrum continuous_quaternions fit_rigid" },
+  { "Motion", "evolve spin rotation_rates spectrum compare_charts commensurate" },
+  { "Data", "read_csv write_csv angular_velocity continuous_quaternions fit_rigid" },
   { "Numbers", "deg pi sin cos tan asin acos atan sinh cosh tanh exp log sqrt abs floor ceil" },
   { "Testing", "theorem near holds fails for_each for_all given any tradeoff" },
   { "Terminal", "help conventions precision plot draw_sphere" },
@@ -142,7 +142,7 @@ local function about_type(name)
   page = parts(in_lines, "")
   if not fits(page, kScreen - 2) then
     local shorter = parts(in_lines, "", true)
-    if fits(shorter, kScreen - 1) then return shorter end
+    if fits(shorter, kScreen) then return shorter end
   end
   return ('%s\nOne of them in full: help "%s"'):format(page, first)
 end

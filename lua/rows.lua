@@ -154,9 +154,11 @@ return {
     example = 'compare_charts{omega = {0, 0, 1}, to = 7, equations = {"gibbs"}}.rows[1].singular --> "theta = pi"' },
   { owner = "", name = "draw_sphere", kind = "function", result = "nil",
     value = function(options) return require("rotor.sphere").draw(options) end,
-    signature = "draw_sphere{points=, arcs=, from=, width=}",
-    summary = "Draws the unit sphere in characters, with points {p = vec, ...} under their names and arcs "
-      .. "{{a, b}, ...} of great circles, each the shorter way between two points (names or vectors), seen from the "
-      .. "direction `from`, in 20 to 80 columns (default 40).",
+    signature = "draw_sphere{points=, arcs=, paths=, dots=, from=, width=}",
+    summary = "Draws the unit sphere in characters, with points {p = vec, ...} under their names, arcs "
+      .. "{{a, b}, ...} of great circles, each the shorter way between two points (names or vectors), paths, a list of "
+      .. "lists of vectors, joined where they follow each other by less than 0.5 rad, and dots, a list of vectors that "
+      .. "are not joined; nan and 0 are gaps in these. Seen from the direction `from`, in 20 to 80 columns (default "
+      .. "40).",
     example = 'draw_sphere{points = {x = {1, 0, 0}, y = {0, 1, 0}}, arcs = {{"x", "y"}}, width = 30} --> ' },
 }

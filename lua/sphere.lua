@@ -1,4 +1,4 @@
--- The unit sphere in characters, seen from far away: points on it and arcs of great circles.
+-- The unit sphere in characters, seen from far away: points on it, arcs of great circles, paths.
 local names = require "rotor.names"
 
 local vec, dot, cross, unit = names.registered "vec", names.registered "dot", names.registered "cross",
@@ -6,10 +6,12 @@ local vec, dot, cross, unit = names.registered "vec", names.registered "dot", na
 
 local sphere = {}
 
-local kOptions = { "points", "arcs", "from", "width" }
+local kOptions = { "points", "arcs", "paths", "dots", "from", "width" }
 local kFrom = { 3, 2, 1.5 }
 local kWidth, kLeast, kMost = 40, 20, 80
+local kNear = 0.5          -- rad: the points of a path that are nearer to each other are joined
 local kHalfCircle = 1e-15  -- an arc as near to pi as this has no direction but that of rounding
+local kDrawn = { axis = "the axis", omega = "omega", body_omega = "omega in the body frame" }
 local kMarks = { outline = ":", front = "*", behind = ".", point = "o", point_behind = "+" }
 
 -- What is asked for --------------------------------------------------------------------------------------------------
@@ -49,7 +51,15 @@ local function points_of(given)
   return points, order
 end
 
--- The shorter way from a to b, { a, b, angle }: cos(s) a + sin(s) b for s from 0 to the angle, b a quarter further.
+-- The shorter way from a to b, { a, b, angle }: cos(s) a + sin(s) b for s from 0 to the angle, b a quarter further;
+-- nil between opposite ends.
+local function shorter_way(a, b)
+  local normal = cross(a, b)
+  local angle = math.atan(math.sqrt(dot(normal, normal)), dot(a, b))
+  if math.pi - angle < kHalfCircle then return nil end
+  return angle > 0 and { a, unit(cross(normal, a)), angle } or { a, a, 0 }
+end
+
 local function arc_of(given, i, points)
   local what = ("arcs: item %d"):format(i)
   if type(given) ~= "table" or #given ~= 2 then refuse("%s: expected {a, b}, got %s", what, described(given)) end
@@ -59,11 +69,30 @@ local function arc_of(given, i, points)
     if type(value) == "string" and not point then refuse("%s: there is no point named %q", what, value) end
     ends[k] = point or direction(value, what)
   end
-  local a, b = ends[1], ends[2]
-  local normal = cross(a, b)
-  local angle = math.atan(math.sqrt(dot(normal, normal)), dot(a, b))
-  if math.pi - angle < kHalfCircle then refuse("%s: its ends are opposite: which way?", what) end
-  return angle > 0 and { a, unit(cross(normal, a)), angle } or { a, a, 0 }
+  return shorter_way(ends[1], ends[2]) or refuse("%s: its ends are opposite: which way?", what)
+end
+
+-- Whether there is nothing to draw: nan, as an axis is where it has no limit, or 0.
+local function is_gap(value)
+  local kind = names.type_of(value)
+  if kind ~= "vec" and (kind ~= "table" or #value ~= 3) then return false end
+  local x, y, z = value[1], value[2], value[3]
+  return x ~= x or y ~= y or z ~= z or x == 0 and y == 0 and z == 0
+end
+
+-- Appends the directions of a list as arcs, those without length where they are not to be joined.
+local function add_path(arcs, list, what, joined)
+  local before
+  for i, value in ipairs(table_of(list, what, "a list of vecs")) do
+    local v = not is_gap(value) and direction(value, ("%s: item %d"):format(what, i)) or nil
+    local way = v and joined and before and shorter_way(before, v)
+    if way and way[3] < kNear then
+      arcs[#arcs + 1] = way
+    elseif v then
+      arcs[#arcs + 1] = { v, v, 0 }
+    end
+    before = v
+  end
 end
 
 local function scene_of(options)
@@ -88,6 +117,10 @@ local function scene_of(options)
   for i, given in ipairs(table_of(options.arcs, "arcs", "a list {{a, b}, ...}")) do
     arcs[i] = arc_of(given, i, points)
   end
+  for i, list in ipairs(table_of(options.paths, "paths", "a list of lists of vecs")) do
+    add_path(arcs, list, ("paths: item %d"):format(i), true)
+  end
+  add_path(arcs, options.dots, "dots", false)
   local from = options.from == nil and kFrom or options.from
   return { points = points, order = order, arcs = arcs, width = width, from = direction(from, "from") }
 end
@@ -200,19 +233,52 @@ local function drawn(scene)
   return table.concat(lines, "\n")
 end
 
---- The picture as a text, or nil and what is wrong with the options.
-function sphere.picture(options)
-  local made, scene = pcall(scene_of, options)
-  if made then return drawn(scene) end
-  if type(scene) == "table" and #scene == 1 then return nil, scene[1] end
-  error(scene, 0)
+-- f(...), or nil and what is refused.
+local function answer(f, ...)
+  local made, result = pcall(f, ...)
+  if made then return result end
+  if type(result) == "table" and #result == 1 then return nil, result[1] end
+  error(result, 0)
 end
 
---- The global function draw_sphere{points=, arcs=, from=, width=}.
+--- The picture as a text, or nil and what is wrong with the options.
+function sphere.picture(options)
+  return answer(function() return drawn(scene_of(options)) end)
+end
+
+--- The global function draw_sphere{points=, arcs=, paths=, dots=, from=, width=}.
 function sphere.draw(options)
   local picture, wrong = sphere.picture(options)
   if not picture then error("draw_sphere: " .. wrong, 2) end
   print(picture)
+end
+
+-- The options of draw_sphere for the states of a run, and what is drawn, in words.
+local function motion_of(run, states, joined, options)
+  if options.point ~= nil and options.of ~= nil then refuse "give one of of and point" end
+  local place = options.point ~= nil and run.start:inverse()*direction(options.point, "point")
+  local what = options.of or "axis"
+  local list = {}
+  for i, state in ipairs(states) do list[i] = place and state.matrix*place or not place and state[what] end
+  local text_of = place and "a point of the body" or kDrawn[what]
+  if #list == 0 then
+    text_of = text_of .. ": no points"
+  else
+    text_of = ("%s, t %.6g .. %.6g, %s %d"):format(text_of, states[1].t, states[#list].t,
+      joined and "n =" or "points", #list)
+  end
+  return { paths = joined and { list } or nil, dots = not joined and list or nil, from = options.from,
+    width = options.width }, text_of
+end
+
+--- Draws the states of a run, a line if they are joined, else dots; returns what is wrong with the options, or nil.
+function sphere.draw_motion(run, states, joined, options)
+  local picture, wrong = answer(function()
+    local scene, text_of = motion_of(run, states, joined, options or {})
+    return drawn(scene_of(scene)) .. "\n" .. text_of
+  end)
+  if picture then print(picture) end
+  return wrong
 end
 
 --- Draws a spherical_triangle; returns what is wrong with the options, or nil.

@@ -36,6 +36,9 @@ local s = dot(r, u)
 local p = norm(r - s*u)
 local low, high = (-s*alpha - p)/omega, (-s*alpha + p)/omega
 
+local early = {}
+for i = 0, 400 do early[i + 1] = i/4 end
+run:sphere { point = r, times = early }
 run:strobe(1):plot("matrix_11", "matrix_31", { title = "B to t = 4200: B_z over B_x", height = 14 })
 local density = run:spectrum { of = "matrix_11" }
 density:plot { to = 0.3, title = "B_x", height = 14 }

@@ -6,6 +6,7 @@
 #include "motion/times.hpp"
 #include "script/binding.hpp"
 #include "script/lua_value.hpp"
+#include "script/progress.hpp"
 
 namespace rotor::script {
 namespace {
@@ -86,6 +87,34 @@ void show(lua_State* L, const Options& options, const Picture& picture) {
   }
   if (file) warn_without_gnuplot(L, *file);
   print(L, in_characters(picture));
+}
+
+void push_states(lua_State* L, const SharedRun& run, const std::vector<double>& times) {
+  lua_createtable(L, static_cast<int>(times.size()), 0);
+  lua_Integer count = 0;
+  visit_times(times, watching(run->t0(), run->t1()), [&](double t) {
+    Convert<RunState>::push(L, {run, run->attitude(t)});
+    lua_rawseti(L, -2, ++count);
+  });
+}
+
+void draw_on_sphere(lua_State* L, const SharedRun& run, const std::vector<double>& times,
+                    bool joined) {
+  lua_settop(L, 2);
+  Convert<SharedRun>::push(L, run);
+  push_states(L, run, times);
+  lua_pushboolean(L, joined ? 1 : 0);
+  lua_pushvalue(L, 2);
+  call_sphere(L, "draw_motion", 4);
+}
+
+void call_sphere(lua_State* L, const char* function, int count) {
+  push_module(L, "rotor.sphere");
+  lua_getfield(L, -1, function);
+  lua_remove(L, -2);
+  lua_insert(L, -1 - count);
+  lua_call(L, count, 1);
+  if (lua_isstring(L, -1) != 0) throw std::invalid_argument(lua_tostring(L, -1));
 }
 
 Chart chart_option(lua_State* L, const Options& options, const char* key) {

@@ -49,6 +49,19 @@ PlotOptions look_option(const Options& options);
 /// given, and where there is no gnuplot.
 void show(lua_State* L, const Options& options, const Picture& picture);
 
+/// Pushes the states of a run at times of it, as a list.
+void push_states(lua_State* L, const SharedRun& run, const std::vector<double>& times);
+
+/// What of a state run:sphere and points:sphere draw, the default first.
+inline std::vector<std::string> sphere_quantities() { return {"axis", "omega", "body_omega"}; }
+/// What run:sphere and points:sphere print: the states at the times, joined by lines or not, by the
+/// options at index 2, whose keys are checked.
+void draw_on_sphere(lua_State* L, const SharedRun& run, const std::vector<double>& times,
+                    bool joined);
+/// Calls a function of the module rotor.sphere with the `count` values on the top of the stack;
+/// what it finds wrong is an std::invalid_argument.
+void call_sphere(lua_State* L, const char* function, int count);
+
 /// A chart by its name; "euler_vector" where there is none.
 Chart chart_option(lua_State* L, const Options& options, const char* key);
 

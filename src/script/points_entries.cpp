@@ -157,6 +157,14 @@ Results plot_entry(lua_State* L) {
   return {0};
 }
 
+constexpr const char* kSphere = "points:sphere{of=, point=, from=, width=}";
+Results sphere_entry(lua_State* L) {
+  const SharedPoints& points = argument<SharedPoints>(L, 1);
+  Options(L, 2, kSphere).word("of", sphere_quantities());
+  draw_on_sphere(L, points->run, points->times, false);
+  return {0};
+}
+
 constexpr const char* kReturnTimes = "points:return_times(distance, {norm=}) -> table, table";
 Results return_times_entry(lua_State* L) {
   const SharedPoints& points = argument<SharedPoints>(L, 1);
@@ -344,6 +352,10 @@ constexpr Entry kPointsMethods[] = {
      "Draws one component over another, as \"euler_vector_x\" and \"euler_vector_y\", in one scale "
      "for both: * a point, or . : - = + * # % @ the more points in a cell. file: as for run:plot.",
      ROTOR_STROBE ":plot(\"euler_vector_x\", \"euler_vector_y\") --> "},
+    {"sphere", bound<sphere_entry>, kSphere,
+     "Draws the axis at each point as a dot on the unit sphere, or what of and point name for "
+     "run:sphere; from and width as for draw_sphere.",
+     ROTOR_STROBE ":sphere{width = 30} --> "},
     {"return_times", bound<return_times_entry>, kReturnTimes,
      "In how many points the motion comes back within a distance of the first one: the different "
      "numbers, and how often each. On a circle there are three at most, the greatest the sum of "

@@ -34,12 +34,7 @@ constexpr const char* kSample = "run:sample{n=, every=, times=} -> table";
 Results sample(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const std::vector<double> times = times_option(Options(L, 2, kSample), *run);
-  lua_createtable(L, static_cast<int>(times.size()), 0);
-  lua_Integer count = 0;
-  visit_times(times, watching(run->t0(), run->t1()), [&](double t) {
-    Convert<RunState>::push(L, {run, run->attitude(t)});
-    lua_rawseti(L, -2, ++count);
-  });
+  push_states(L, run, times);
   return {1};
 }
 
@@ -84,6 +79,15 @@ Results animate_entry(lua_State* L) {
     warn_without_gnuplot(L, file);
     print(L, in_characters(picture(*run, times, columns_of<StateColumns>(L, {"axis"}))));
   }
+  return {0};
+}
+
+constexpr const char* kSphere = "run:sphere{of=, point=, n=, every=, times=, from=, width=}";
+Results sphere_entry(lua_State* L) {
+  const SharedRun& run = argument<SharedRun>(L, 1);
+  const Options options(L, 2, kSphere);
+  options.word("of", sphere_quantities());
+  draw_on_sphere(L, run, times_option(options, *run), true);
   return {0};
 }
 
@@ -232,6 +236,13 @@ constexpr Entry kMethods[] = {
      "there is "
      "no gnuplot these are written, and the plot is printed.",
      ROTOR_RUN ":plot(\"angle\", {height = 5}) --> "},
+    {"sphere", bound<sphere_entry>, kSphere,
+     "Draws the way of the axis on the unit sphere in characters (as draw_sphere, with its "
+     "from and width), at the times (as run:sample): what follows by less than 0.5 rad is "
+     "joined. of: \"axis\" (default), or the direction of \"omega\" or of \"body_omega\"; "
+     "point: instead a point of the body, by its place at the start. Where there is no "
+     "direction is a gap.",
+     ROTOR_RUN ":sphere{of = \"omega\", width = 30} --> "},
     {"animate", bound<animate_entry>, kAnimate,
      "Draws the motion as FILE, a .gif, by gnuplot: the axis, omega (over its greatest length) and "
      "a "

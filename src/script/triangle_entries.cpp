@@ -4,8 +4,8 @@
 
 #include "rotation/spherical_triangle.hpp"
 #include "script/binding.hpp"
-#include "script/lua_value.hpp"
 #include "script/options.hpp"
+#include "script/output_options.hpp"
 #include "script/show.hpp"
 
 namespace rotor::script {
@@ -90,12 +90,7 @@ Results plot(lua_State* L) {
   triangle_argument(L);
   Options(L, 2, kPlot);  // for its check of the keys
   lua_settop(L, 2);
-  push_module(L, "rotor.sphere");
-  lua_getfield(L, -1, "draw_triangle");
-  lua_pushvalue(L, 1);
-  lua_pushvalue(L, 2);
-  lua_call(L, 2, 1);
-  if (lua_isstring(L, -1) != 0) throw std::invalid_argument(lua_tostring(L, -1));
+  call_sphere(L, "draw_triangle", 2);
   return {0};
 }
 

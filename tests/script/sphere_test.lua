@@ -72,6 +72,74 @@ front = marks { { { 1, 0, 0 }, { 1, 0, 0 } } }
 equal(front, 1, "an arc from a point to itself")
 equal(select(2, support.printed(draw_sphere, {}):gsub("\n", "")), 21, "40 columns: 19 lines and two of the legend")
 
+-- A path is joined where it goes on by less than 0.5 rad, and dots are not; nan and 0 are gaps. At the angle s above x,
+-- seen from x, a point is 10 sin(s) lines above the centre: 3.9 for 0.4, 5.6 for 0.6, each rounded.
+local function up(s) return vec(cos(s), 0, sin(s)) end
+local function drawn_marks(options)
+  options.width, options.from = 41, { 1, 0, 0 }
+  local drawing = support.printed(draw_sphere, options):gsub("\nseen from.*", "")
+  return select(2, drawing:gsub("%*", "")), select(2, drawing:gsub("%.", ""))
+end
+local quarter = {}
+for i = 0, 16 do quarter[i + 1] = up(i/16*pi/2) end
+equal(drawn_marks { paths = { quarter } }, 11, "ten lines and the centre's")
+equal(drawn_marks { dots = { quarter[1], quarter[9], quarter[17] } }, 3)
+equal(drawn_marks { paths = { { up(0), up(0.4) } } }, 5, "joined")
+equal(drawn_marks { paths = { { up(0), up(0.6) } } }, 2, "not joined")
+equal(drawn_marks { paths = { { up(0), vec(0/0, 0, 0), up(0.4) } } }, 2, "nan is a gap")
+equal(drawn_marks { paths = { { up(0), { 0, 0, 0 }, up(0.4) } } }, 2, "0 is a gap")
+equal(drawn_marks { paths = { { up(0), up(pi), -up(0), up(0) } } }, 1, "opposite ends are not joined")
+equal(drawn_marks { paths = { { up(0) }, { up(0.4) }, {} } }, 2, "each is a path of its own")
+equal(drawn_marks { dots = { up(0), up(0.4), up(0) } }, 2, "dots")
+front, behind = drawn_marks { dots = { { -1, 0, 0 }, { -1, 0, 0.1 } } }
+equal(front .. " " .. behind, "0 2", "behind")
+
+-- Of a run about z by t: e1 goes to e2 in a quarter of a turn, along the middle line to the right.
+local function shown(value, options)
+  options.width, options.from = 41, options.from or { 1, 0, 0 }
+  local drawing = support.printed(value.sphere, value, options)
+  fits(drawing)
+  equal(select(2, drawing:gsub("\n", "")) <= 24, true, "fits a screen")
+  return lines_of(drawing), drawing
+end
+local about_z = evolve { omega = { 0, 0, 1 }, to = pi/2 }
+local lines, drawing = shown(about_z, { point = { 2, 0, 0 } })
+equal(lines[11]:sub(21), ("*"):rep(21))
+equal(lines[11]:sub(2, 20), (" "):rep(19))
+equal(select(2, drawing:gsub("%*", "")), 21 + 1, "nothing else, and the legend")
+contains(drawing, "a point of the body, t 0 .. 1.5708, n = 1000")
+-- It is the place at the start, also from another attitude.
+drawing = select(2, shown(evolve { omega = { 0, 0, 1 }, from = rotation({ 1, 2, 3 }, 2), to = pi/2 },
+  { point = { 1, 0, 0 }, n = 50 }))
+equal(drawing:match "^(.*)\nseen", table.concat(lines, "\n"):match "^(.*)\nseen")
+-- The axis of a turn about z is z.
+lines, drawing = shown(about_z, {})
+equal(lines[1]:sub(21, 21), "*")
+equal(select(2, drawing:gsub("%*", "")), 2)
+contains(drawing, "the axis, t 0 .. 1.5708")
+-- P15's omega goes round the equator; in front of what is behind it takes all of the middle line.
+local a = 2*pi/40
+local p15 = evolve { omega = function(t) return 3*cos(a*t), 3*sin(a*t), 0 end, to = 40 }
+lines, drawing = shown(p15, { of = "omega", n = 200 })
+equal(lines[11], ("*"):rep(41))
+equal(select(2, drawing:gsub("%*", "")), 42)
+-- From a quarter of a turn about x, omega = z is y for the body, on the right.
+lines, drawing = shown(evolve { omega = { 0, 0, 2 }, from = rotation({ 1, 0, 0 }, pi/2), to = 1 },
+  { of = "body_omega" })
+equal(lines[11]:sub(41), "*")
+equal(select(2, drawing:gsub("%*", "")), 2)
+contains(drawing, "omega in the body frame")
+-- A strobe's points are not joined: four of them at the ends of x and y, seen from above.
+local strobe = evolve { omega = { 0, 0, 1 }, to = 1.5*pi }:strobe(pi/2)
+lines, drawing = shown(strobe, { point = { 1, 0, 0 }, from = { 0, 0, 1 } })
+equal(lines[1]:sub(21, 21) .. lines[11]:sub(1, 1) .. lines[11]:sub(41, 41) .. lines[21]:sub(21, 21), "****")
+equal(select(2, drawing:gsub("%*", "")), 4 + 1)
+contains(drawing, "a point of the body, t 0 .. 4.71239, points 4")
+-- A body at rest at the identity has no axis, and a section that is not met no points.
+drawing = select(2, shown(evolve { omega = { 0, 0, 0 }, to = 1 }, { n = 5 }))
+equal(select(2, drawing:gsub("%*", "")), 1, "the legend's")
+contains(select(2, shown(about_z:section { plane = { 0, 0, 1 }, offset = 9 }, {})), "the axis: no points")
+
 -- A script's own globals do not reach into the library.
 local saved = unit
 rawset(_G, "unit", nil)
@@ -119,6 +187,17 @@ refused(function() draw_sphere { arcs = "p" } end, 'arcs: expected a list {{a, b
 refused(function() draw_sphere { arcs = { { "p" } } } end, "arcs: item 1: expected {a, b}, got table of 1 items")
 refused(function() draw_sphere { arcs = { { "p", { 1, 0, 0 } } } } end, 'arcs: item 1: there is no point named "p"')
 refused(function() draw_sphere { arcs = { { { 1, 0, 0 }, { -1, 0, 0 } } } } end, "arcs: item 1: its ends are opposite")
+refused(function() draw_sphere { paths = { up(0) } } end, "paths: item 1: expected a list of vecs, got vec")
+refused(function() draw_sphere { paths = { { up(0), 3 } } } end, "paths: item 1: item 2: expected a vec or {x, y, z}")
+refused(function() draw_sphere { dots = { { 1/0, 0, 0 } } } end, "dots: item 1: expected a vec or {x, y, z}, finite")
+refused(function() draw_sphere { dots = 3 } end, "dots: expected a list of vecs, got number 3")
+refused(function() about_z:sphere { of = "omgea" } end, 'sphere: of: expected one of "axis", "omega", "body_omega"')
+refused(function() about_z:sphere { off = "axis" } end, "sphere: unknown option 'off'; did you mean 'of'?")
+refused(function() about_z:sphere { n = 3, every = 1 } end, "sphere: give one of n, every and times")
+refused(function() about_z:sphere { of = "axis", point = { 1, 0, 0 } } end, "sphere: give one of of and point")
+refused(function() about_z:sphere { point = { 0, 0, 0 } } end, "sphere: point: expected a vec or {x, y, z}, finite")
+refused(function() about_z:sphere { width = 3 } end, "sphere: width: expected 20 to 80 columns, got number 3")
+refused(function() strobe:sphere { n = 3 } end, "sphere: unknown option 'n'")
 refused(function() triangle:plot { width = 3 } end, "plot: width: expected 20 to 80 columns, got number 3")
 refused(function() triangle:plot { form = { 1, 0, 0 } } end, "plot: unknown option 'form'; did you mean 'from'?")
 refused(function() triangle:plot(3) end, "plot: expected options in braces, got number 3")
