@@ -141,8 +141,8 @@ local _, stop = pcall(evolve, { omega = function(t) return cos(t), sin(t), sqrt(
 equal(stop.run.complete, false)
 holds(#stop.run:spectrum { of = "quaternion_w" }.density > 4, "as far as it came")
 
--- Commensurate frequencies are said: alpha = 3/4 has f_F = (Omega - alpha)/4 pi = 1/3 of the drive alpha/2 pi, T = 40 no
--- fraction.
+-- Commensurate frequencies are said: alpha = 3/4 has f_F = (Omega - alpha)/4 pi = 1/3 of the drive alpha/2 pi, T = 40
+-- has no fraction.
 local function foretold(rate)
   return tostring(evolve { omega = spin.turning { vector = { 1, 0, 0 }, about = { 0, 0, 1 }, rate = rate },
     to = 400 }:frequencies(1, { of = "quaternion_w" }))
