@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -62,8 +63,8 @@ class CellGrid {
 
  private:
   // The numbers of a cell along each component, the last one lowest.
-  __extension__ using Key = __int128;
-  static constexpr int kBits = D == 3 ? 42 : 31;
+  using Key = std::uint64_t;
+  static constexpr int kBits = 64 / static_cast<int>(D);
   struct Keyed {
     Key key;
     std::uint32_t owner;
@@ -72,26 +73,40 @@ class CellGrid {
     }
   };
 
-  // Cells are counted from the median of each component. What lies further out than there are
-  // numbers is put into the last cell, which is still next to those of its neighbours. A number is
-  // rounded by 2^-10 at most, and a cell larger than the distance by more than that.
+  // Cells are counted from the median of each component, and have at least a 2^-17 of what lies
+  // about it. What is further out than there are numbers is put into the last cell, which is still
+  // next to those of its neighbours. A number is rounded by 2^-10 at most, and a cell larger than
+  // the distance by more than that.
   static std::vector<Keyed> keys(const std::vector<Place>& places, double distance) {
-    const double most = std::ldexp(1, kBits - 2);
-    const double size = std::max(distance * (1 + 0x1p-9), D == 4 ? 0x1p-28 : 0);
+    const double most = std::ldexp(1, kBits - 1) - 2;
     std::vector<Keyed> keyed(places.size());
-    std::vector<double> component(places.size());
     for (std::size_t k = 0; k < D; ++k) {
-      for (std::size_t i = 0; i < places.size(); ++i) component[i] = places[i][k];
-      const auto middle = component.begin() + static_cast<std::ptrdiff_t>(component.size() / 2);
-      std::nth_element(component.begin(), middle, component.end());
+      const Spread spread = spread_of(places, k);
+      const double size = std::max(distance * (1 + 0x1p-9), spread.width * std::ldexp(8, -kBits));
       for (std::size_t i = 0; i < places.size(); ++i) {
-        const double cell = std::floor((places[i][k] - *middle) / size);
-        keyed[i].key = (keyed[i].key << kBits) +
-                       static_cast<std::int64_t>(std::clamp(cell, -most, most) + 2 * most);
+        const double cell = std::floor((places[i][k] - spread.middle) / size);
+        keyed[i].key =
+            (keyed[i].key << kBits) + static_cast<Key>(std::clamp(cell, -most, most) + most + 1);
         keyed[i].owner = static_cast<std::uint32_t>(i);
       }
     }
     return keyed;
+  }
+
+  // Median and width of the middle half of a component, by a thousand or two of the points.
+  struct Spread {
+    double middle;
+    double width;
+  };
+  static Spread spread_of(const std::vector<Place>& places, std::size_t k) {
+    const std::size_t step = std::max<std::size_t>(places.size() / 1024, 1);
+    std::vector<double> sample;
+    sample.reserve(places.size() / step + 1);
+    for (std::size_t i = 0; i < places.size(); i += step) sample.push_back(places[i][k]);
+    std::sort(sample.begin(), sample.end());
+    const std::size_t quarter = sample.size() / 4;
+    const double width = sample[sample.size() - 1 - quarter] - sample[quarter];
+    return {sample[sample.size() / 2], std::min(width, std::numeric_limits<double>::max())};
   }
 
   // Cells next to a cell, by the step in all components but the last, are three successive keys at
@@ -101,7 +116,7 @@ class CellGrid {
     std::array<Key, kSteps> steps{};
     for (std::size_t s = 0; s < kSteps; ++s) {
       for (std::size_t k = 0, rest = s; k + 1 < D; ++k, rest /= 3)
-        steps[s] = (steps[s] + static_cast<Key>(rest % 3) - 1) << kBits;
+        steps[s] = (steps[s] + rest % 3 - 1) << kBits;  // modulo 2^64
     }
     std::array<std::size_t, kSteps> at{};
     near_begin_.assign(1, 0);
