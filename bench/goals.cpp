@@ -36,7 +36,7 @@ void Goals::add(int goal, const std::string& what, bool reached) {
 
 void Goals::print() const {
   std::printf("\n");
-  for (int goal = 1; goal <= 8; ++goal) {
+  for (int goal = 1; goal <= 12; ++goal) {
     for (const Line& line : lines_) {
       if (line.goal == goal) std::printf("goal %d  %s\n", goal, line.text.c_str());
     }

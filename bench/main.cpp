@@ -19,11 +19,13 @@ constexpr const char* kUsage =
     "  --quick   fewer repetitions, and P1L by rotor alone\n"
     "Of the program that it builds:\n"
     "  --csv FILE  all rows of the races\n"
-    "  --speed     goals 1 and 2 alone, at 1e-9\n";
+    "  --speed     goals 1 and 2 alone, at 1e-9\n"
+    "  --dynamics  goals 9 to 12 alone\n";
 
 struct Options {
   bool quick = false;
   bool speed = false;
+  bool dynamics = false;
   std::string csv;
 };
 
@@ -79,6 +81,8 @@ Options parse(int argc, char** argv) {
       options.quick = true;
     } else if (word == "--speed") {
       options.speed = true;
+    } else if (word == "--dynamics") {
+      options.dynamics = true;
     } else if (word == "--csv" && i + 1 < argc) {
       options.csv = argv[++i];
     } else {
@@ -100,8 +104,14 @@ int run(const Options& options) {
     goals.print();
     return EXIT_SUCCESS;
   }
+  if (options.dynamics) {
+    judge_dynamics(options.quick ? 3 : 7, goals);
+    goals.print();
+    return goals.all_reached() ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
   judge_memory(goals);
   judge_start_up(200, goals);
+  judge_dynamics(options.quick ? 3 : 7, goals);
   std::vector<Race> races = race_all(options);
   judge_speed(races, goals);
   judge_calls(races, goals);

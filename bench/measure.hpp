@@ -27,5 +27,7 @@ void judge_memory(Goals& goals);
 Race judge_paper(int rounds, Goals& goals);
 /// Goal 8: that many starts of each.
 void judge_start_up(std::size_t starts, Goals& goals);
+/// Goals 9 to 12: strobe, Lyapunov exponents, recurrence, figures.
+void judge_dynamics(int rounds, Goals& goals);
 
 }  // namespace rotor::bench

@@ -12,28 +12,12 @@
 
 #include "measure.hpp"
 #include "output/csv.hpp"
+#include "scratch.hpp"
 
 namespace rotor::bench {
 namespace {
 
 constexpr double kMiB = 1 << 20;
-
-/// A directory of this process's own, gone at the end.
-class Scratch {
- public:
-  Scratch() { std::filesystem::create_directory(path_); }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() / ("rotor-bench-" + std::to_string(getpid()));
-};
 
 void write_by_rotor(const Result& result, const std::filesystem::path& file) {
   const std::array<std::string, 5> header = {"t", "w", "x", "y", "z"};
@@ -65,12 +49,7 @@ double seconds_of(const Work& work) {
 
 /// The two numbers that the command prints.
 std::array<double, 2> two_numbers_from(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  if (!pipe) throw std::runtime_error("cannot run " + command);
-  std::string said;
-  for (int c = std::fgetc(pipe.get()); c != EOF; c = std::fgetc(pipe.get())) {
-    said += static_cast<char>(c);
-  }
+  const std::string said = output_of(command);
   std::array<double, 2> numbers{};
   if (std::sscanf(said.c_str(), "%lf %lf", &numbers[0], &numbers[1]) != 2) {
     throw std::runtime_error(command + ": expected two numbers, got " + said);

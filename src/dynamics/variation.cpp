@@ -132,7 +132,10 @@ double Variation::end_of_bridge(double t, double t_end) const {
 }
 
 void Variation::advance(double t, double t_end, Matrix& d) {
-  constexpr double kAllowed = 1e-11;
+  constexpr double kAllowed = 1e-10;
+  // Near a singularity steps shrink one after the other: of those that aim at all that is allowed a
+  // third fails.
+  constexpr double kCaution = 0.9;
   while (t != t_end) {
     const State state = chart_state(run_, t, chart_);
     part_ = part_of_chart(chart_, state);
@@ -144,10 +147,10 @@ void Variation::advance(double t, double t_end, Matrix& d) {
       t = t_next;
       d = made.moved * d;
       // The last step of an interval is as short as its rest: it says nothing against h.
-      const double factor = step_factor(made.error, allowed, 2 * kStages);
+      const double factor = kCaution * step_factor(made.error, allowed, 2 * kStages);
       h_ = factor < 1 ? taken * factor : std::max(h_, taken * factor);
     } else if ((made.passable || distance_from_singularity(chart_, state) > 2 * kNearest) &&
-               taken > shortest_step(t)) {
+               taken > shortest_step(std::max(std::abs(t), std::abs(t_end)))) {
       h_ = made.passable ? taken * step_factor(made.error, allowed, 2 * kStages) : taken / 2;
     } else {
       const double end = end_of_bridge(t, t_end);

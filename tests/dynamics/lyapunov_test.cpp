@@ -109,7 +109,7 @@ TEST_CASE("the linearised equation with QR has the R of the tangent map itself")
       CAPTURE(name, frame == Frame::kSpace, from.axis().transpose(), qr.bridged);
       CHECK(qr.singular.empty());
       REQUIRE(qr.history.size() == 60);
-      // A step, of which there are fewer than 10 an interval, errs by 1e-11 of d, what is bridged
+      // A step, of which there are fewer than 20 a unit of t, errs by 1e-10 of d, what is bridged
       // by 1e-16 of |D| |D^-1|: the singular values are those of D but for that and its condition.
       for (std::size_t i = 0; i < qr.times.size(); ++i) {
         Matrix d = tangent_map(run, qr.times[i], chart);
