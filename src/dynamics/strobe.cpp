@@ -75,6 +75,10 @@ std::vector<double> strobe_times(const Run& run, double period) {
     throw std::invalid_argument("the period " + text(period) + " is longer than the run, " +
                                 text(run.t0()) + " .. " + text(run.t1()));
   }
+  if (!(length / period < 1e8)) {
+    throw std::invalid_argument("the period " + text(period) + " makes " +
+                                text(length / period, 3) + " points, more than 1e8");
+  }
   return times_every(run.t0(), run.t1(), period);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/csv.hpp"
+#include "output/provenance.hpp"
 
 namespace rotor {
 namespace {
@@ -18,13 +19,24 @@ constexpr double kRounding = 1e-15;
 
 }  // namespace
 
-void write_csv(const LyapunovSpectrum& spectrum, const std::filesystem::path& file) {
-  CsvWriter writer(file, std::vector<std::string>{"t", kNames[0], kNames[1], kNames[2]});
+bool write_csv(const LyapunovSpectrum& spectrum, const std::filesystem::path& file,
+               const std::string& scene, const std::string& chart, const std::string& method) {
+  std::vector<Column> columns = {{"t", "t", "time", false}};
+  std::vector<std::string> headers = {"t"};
+  for (const char* name : kNames) {
+    columns.push_back(
+        {name, name, std::string(name) + " exponent from the start to t, per unit of t", false});
+    headers.emplace_back(name);
+  }
+  CsvWriter writer(file, headers);
   for (std::size_t i = 0; i < spectrum.times.size(); ++i) {
     const Vector& exponents = spectrum.history[i];
     writer.row(std::array{spectrum.times[i], exponents.x(), exponents.y(), exponents.z()});
   }
   writer.commit();
+  return write_provenance(file, columns, writer.rows(), scene,
+                          "finite-time Lyapunov exponents of the motion as the chart sees it",
+                          {{"chart", chart}, {"method", method}, {"bridged", spectrum.bridged}});
 }
 
 Picture picture(const LyapunovSpectrum& spectrum, double t0, PlotOptions look) {

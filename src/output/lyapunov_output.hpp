@@ -8,9 +8,10 @@
 
 namespace rotor {
 
-/// Columns t, largest, middle, least, a row a time. Throws std::system_error if the file cannot be
-/// written.
-void write_csv(const LyapunovSpectrum& spectrum, const std::filesystem::path& file);
+/// Writes FILE with the columns t, largest, middle, least, a row a time, and FILE.json as
+/// write_provenance does (with its answer). Throws std::system_error if a file cannot be written.
+bool write_csv(const LyapunovSpectrum& spectrum, const std::filesystem::path& file,
+               const std::string& scene, const std::string& chart, const std::string& method);
 
 /// |exponent| of the three over |t - t0|, on logarithmic axes; what is 0 to rounding is left out.
 Picture picture(const LyapunovSpectrum& spectrum, double t0, PlotOptions look = {});

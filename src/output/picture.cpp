@@ -1,5 +1,6 @@
 #include "output/picture.hpp"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -84,14 +85,28 @@ std::string script_of(const Picture& picture, const std::string& data_file) {
   return script + "\n";
 }
 
-// Whether there is a gnuplot to run; throws where it fails.
+std::string rest_of(int pipe) {
+  std::string all;
+  std::array<char, 4096> part{};
+  for (;;) {
+    const ssize_t count = read(pipe, part.data(), part.size());
+    if (count == 0 || (count < 0 && errno != EINTR)) return all;
+    if (count > 0) all.append(part.data(), static_cast<std::size_t>(count));
+  }
+}
+
+// Whether there is a gnuplot to run; throws, with what it says, where it fails.
 bool run_gnuplot(const std::filesystem::path& script) {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), "pipe");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   const std::filesystem::path directory = script.parent_path();
   if (!directory.empty()) {
     posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
   }
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
   std::string program = "gnuplot";
   std::string name = script.filename().string();
   std::array<char*, 3> arguments = {program.data(), name.data(), nullptr};
@@ -99,13 +114,16 @@ bool run_gnuplot(const std::filesystem::path& script) {
   const int error =
       posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  const std::string said = error == 0 ? rest_of(ends[0]) : "";
+  close(ends[0]);
   if (error == ENOENT) return false;
   if (error != 0) throw std::system_error(error, std::generic_category(), program);
   int status = 0;
   while (waitpid(child, &status, 0) == -1 && errno == EINTR) {
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw std::runtime_error("gnuplot could not draw what " + script.string() + " says");
+    throw std::runtime_error("gnuplot could not draw what " + script.string() + " says:\n" + said);
   }
   return true;
 }

@@ -106,8 +106,8 @@ Results csv(lua_State* L) {
   const LyapunovResult& r = argument<LyapunovResult>(L, 1);
   const std::string file = file_argument(L, 2);
   refuse_more_arguments(L, 2);
-  write_csv(r.spectrum, file);
-  print_written(L, file, r.spectrum.times.size(), false);
+  const bool with_json = write_csv(r.spectrum, file, scene_name(L), chart(r), method(r));
+  print_written(L, file, r.spectrum.times.size(), with_json);
   return {0};
 }
 
@@ -265,7 +265,8 @@ constexpr Entry kLyapunovMethods[] = {
      "file: a picture by gnuplot, as for run:plot.",
      ROTOR_LYAPUNOV ":plot{height = 5} --> "},
     {"csv", bound<csv>, "lyapunov:csv(file)",
-     "Writes t and the three exponents as CSV: t, largest, middle, least.",
+     "Writes t and the three exponents as CSV: t, largest, middle, least; and where they come from "
+     "as FILE.json.",
      ROTOR_LYAPUNOV ":csv(\"/dev/null\") --> "},
 };
 

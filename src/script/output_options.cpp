@@ -1,9 +1,12 @@
 #include "script/output_options.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "motion/times.hpp"
+#include "rotation/text.hpp"
 #include "script/binding.hpp"
 #include "script/lua_value.hpp"
 #include "script/progress.hpp"
@@ -22,6 +25,25 @@ int size_option(const Options& options, const char* key, int otherwise) {
   return static_cast<int>(size);
 }
 
+// The whole run where it is not given.
+std::pair<double, double> interval_option(const Options& options, const Run& run) {
+  const auto interval = options.get<std::vector<double>>("t");
+  if (!interval) return {run.t0(), run.t1()};
+  if (interval->size() != 2) {
+    throw std::invalid_argument("t: expected {from, to}, got a list of " +
+                                std::to_string(interval->size()));
+  }
+  if (options.has("times")) throw std::invalid_argument("give t or times, not both");
+  const auto [low, high] = std::minmax({run.t0(), run.t1()});
+  for (const double t : *interval) {
+    if (!(t >= low && t <= high)) {
+      throw std::invalid_argument("t: expected times of the run, " + text(run.t0()) + " .. " +
+                                  text(run.t1()) + ", got " + text(t));
+    }
+  }
+  return {interval->front(), interval->back()};
+}
+
 }  // namespace
 
 void print(lua_State* L, const std::string& text) {
@@ -35,16 +57,17 @@ void print_written(lua_State* L, const std::string& file, std::size_t rows, bool
                (with_json ? " and " + file + ".json" : ""));
 }
 
-void print_drawn(lua_State* L, const std::string& file) {
-  const std::filesystem::path path(file);
-  print(L, "wrote " + file + ", and what draws it: " +
-               std::filesystem::path(path).replace_extension(".gp").filename().string() + ", " +
-               std::filesystem::path(path).replace_extension(".dat").filename().string());
-}
-
-void warn_without_gnuplot(lua_State* L, const std::string& file) {
-  warn(L, "there is no gnuplot to draw " + file +
-              " (Debian's package gnuplot-nox has it): its script and its data are written");
+bool say_drawn(lua_State* L, const std::string& file, bool drawn) {
+  if (drawn) {
+    const std::filesystem::path path(file);
+    print(L, "wrote " + file + ", and what draws it: " +
+                 std::filesystem::path(path).replace_extension(".gp").filename().string() + ", " +
+                 std::filesystem::path(path).replace_extension(".dat").filename().string());
+  } else {
+    warn(L, "there is no gnuplot to draw " + file +
+                " (Debian's package gnuplot-nox has it): its script and its data are written");
+  }
+  return drawn;
 }
 
 std::string file_argument(lua_State* L, int index) {
@@ -66,9 +89,10 @@ std::vector<double> times_option(const Options& options, const Run& run, std::si
   if (int{n.has_value()} + int{every.has_value()} + int{times.has_value()} > 1) {
     throw std::invalid_argument("give one of n, every and times");
   }
+  const auto [begin, end] = interval_option(options, run);
   if (times) return *times;
-  if (every) return times_every(run.t0(), run.t1(), *every);
-  return times_in(run.t0(), run.t1(), n.value_or(otherwise));
+  if (every) return times_every(begin, end, *every);
+  return times_in(begin, end, n.value_or(otherwise));
 }
 
 PlotOptions look_option(const Options& options) {
@@ -81,11 +105,7 @@ PlotOptions look_option(const Options& options) {
 
 void show(lua_State* L, const Options& options, const Picture& picture) {
   const auto file = options.get<std::string>("file");
-  if (file && draw(picture, *file)) {
-    print_drawn(L, *file);
-    return;
-  }
-  if (file) warn_without_gnuplot(L, *file);
+  if (file && say_drawn(L, *file, draw(picture, *file))) return;
   print(L, in_characters(picture));
 }
 

@@ -20,10 +20,9 @@ void print(lua_State* L, const std::string& text);
 /// "wrote FILE (7 rows) and FILE.json", printed.
 void print_written(lua_State* L, const std::string& file, std::size_t rows, bool with_json);
 
-/// "wrote FILE, and what draws it: ...", printed.
-void print_drawn(lua_State* L, const std::string& file);
-/// On stderr, where FILE could not be drawn for want of gnuplot.
-void warn_without_gnuplot(lua_State* L, const std::string& file);
+/// Says what became of FILE: "wrote FILE, and what draws it: ...", printed, or, on stderr, that
+/// there was no gnuplot. The answer is `drawn`.
+bool say_drawn(lua_State* L, const std::string& file, bool drawn);
 
 /// The argument at `index`, a file's name; throws std::invalid_argument if it is empty.
 std::string file_argument(lua_State* L, int index);
@@ -38,7 +37,8 @@ struct Convert<Names> {
 };
 
 /// The options n, every and times, of which one may be given: n times from the start of the run to
-/// its end, both included; `otherwise` of them where there is none.
+/// its end, both included, or between the two of the option t; `otherwise` of them where there is
+/// none.
 std::vector<double> times_option(const Options& options, const Run& run,
                                  std::size_t otherwise = 1000);
 

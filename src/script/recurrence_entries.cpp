@@ -19,7 +19,7 @@ namespace rotor::script {
 namespace {
 
 constexpr const char* kRecurrence =
-    "run:recurrence{threshold=, rate=, norm=, n=, every=, times=, theiler=, lmin=, vmin=} -> "
+    "run:recurrence{threshold=, rate=, norm=, n=, every=, times=, t=, theiler=, lmin=, vmin=} -> "
     "recurrence";
 Results recurrence_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
@@ -83,12 +83,8 @@ Results plot_entry(lua_State* L) {
   const Options given(L, 2, kPlot);
   const PlotOptions look = look_option(given);
   const auto file = given.get<std::string>("file");
-  if (file && draw(points_picture(*r, look, watching(0, 1)), *file)) {
-    print_drawn(L, *file);
-    return {0};
-  }
-  if (file) warn_without_gnuplot(L, *file);
-  print(L, plot(*r, look, watching(0, 1)));
+  if (!file || !say_drawn(L, *file, draw(points_picture(*r, look, watching(0, 1)), *file)))
+    print(L, plot(*r, look, watching(0, 1)));
   return {0};
 }
 

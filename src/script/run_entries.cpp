@@ -30,7 +30,7 @@ Results state_at(lua_State* L) {
   return {1};
 }
 
-constexpr const char* kSample = "run:sample{n=, every=, times=} -> table";
+constexpr const char* kSample = "run:sample{n=, every=, times=, t=} -> table";
 Results sample(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const std::vector<double> times = times_option(Options(L, 2, kSample), *run);
@@ -38,7 +38,7 @@ Results sample(lua_State* L) {
   return {1};
 }
 
-constexpr const char* kCsv = "run:csv(file, {n=, every=, times=, columns=})";
+constexpr const char* kCsv = "run:csv(file, {n=, every=, times=, t=, columns=})";
 Results csv(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const std::string file = file_argument(L, 2);
@@ -52,7 +52,7 @@ Results csv(lua_State* L) {
 }
 
 constexpr const char* kPlot =
-    "run:plot(what, {n=, every=, times=, title=, width=, height=, file=})";
+    "run:plot(what, {n=, every=, times=, t=, title=, width=, height=, file=})";
 Results plot_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const auto columns = columns_of<StateColumns>(L, argument<Names>(L, 2).list);
@@ -63,7 +63,7 @@ Results plot_entry(lua_State* L) {
   return {0};
 }
 
-constexpr const char* kAnimate = "run:animate(file, {n=, every=, times=, point=})";
+constexpr const char* kAnimate = "run:animate(file, {n=, every=, times=, t=, point=})";
 Results animate_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const std::string file = file_argument(L, 2);
@@ -73,16 +73,13 @@ Results animate_entry(lua_State* L) {
   if (!(norm(point) > 0 && point.allFinite())) {
     throw std::invalid_argument("point: expected a place other than 0, got " + shown(point));
   }
-  if (animate(*run, times, point, file, watching(run->t0(), run->t1()))) {
-    print_drawn(L, file);
-  } else {
-    warn_without_gnuplot(L, file);
+  if (!say_drawn(L, file, animate(*run, times, point, file, watching(run->t0(), run->t1())))) {
     print(L, in_characters(picture(*run, times, columns_of<StateColumns>(L, {"axis"}))));
   }
   return {0};
 }
 
-constexpr const char* kSphere = "run:sphere{of=, point=, n=, every=, times=, from=, width=}";
+constexpr const char* kSphere = "run:sphere{of=, point=, n=, every=, times=, t=, from=, width=}";
 Results sphere_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   const Options options(L, 2, kSphere);
@@ -91,7 +88,7 @@ Results sphere_entry(lua_State* L) {
   return {0};
 }
 
-constexpr const char* kTable = "run:table(what, {n=, every=, times=})";
+constexpr const char* kTable = "run:table(what, {n=, every=, times=, t=})";
 Results table_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
   std::vector<std::string> names = argument<Names>(L, 2).list;
@@ -210,7 +207,7 @@ constexpr Entry kMethods[] = {
      ROTOR_RUN ":from(rotation({0, 0, 1}, 1))(2).angle --> 3.0"},
     {"sample", bound<sample>, kSample,
      "The states at n times from start to end (default 1000), at every so much, or at the given "
-     "times: a list.",
+     "times: a list. t = {from, to}: of that part of the run alone.",
      "#" ROTOR_RUN ":sample{n = 11} --> 11"},
     {"csv", bound<csv>, kCsv,
      "Writes the states at the times (as run:sample) as CSV, and where they come from as "

@@ -85,8 +85,8 @@ TEST_CASE("picture: what cannot be drawn is refused, and what gnuplot refuses is
   CHECK_THROWS_AS(draw(curves(), directory.path / "no such directory" / "x.png"),
                   std::system_error);
   if (std::system("gnuplot --version > /dev/null 2>&1") != 0) return;
-  CHECK_THROWS_WITH(draw(directory.path / "x.png", "exit status 3\n", ""),
-                    Contains("gnuplot could not draw"));
+  CHECK_THROWS_WITH(draw(directory.path / "x.png", "print 'no such luck'\nexit status 3\n", ""),
+                    Contains("gnuplot could not draw") && Contains("no such luck"));
 }
 
 TEST_CASE("animation: a frame for each time, with axis, omega and a point") {

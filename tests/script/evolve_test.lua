@@ -186,3 +186,16 @@ contains(tostring(refused{ omega = turning, to = 3, equation = "gibbs", from = r
 
 -- The certificate of a run over a known jump is that of its pieces.
 holds(evolve{ omega = spin.piecewise{ { 1, 0, 0 }, 0.5, { 0, 2, 0 } }, to = 10 }:certify().at_rounding, "exact pieces")
+
+-- A part of a run: t = {from, to}, either way round.
+local whole = evolve{ omega = { 0, 0, 1 }, t = { 0, 10 } }
+local part = whole:sample{ t = { 4, 2 }, n = 3 }
+for i, t in ipairs{ 4.0, 3.0, 2.0 } do equal(part[i].t, t, "time " .. i) end
+equal(#whole:sample{ t = { 2, 4 }, every = 0.5 }, 5)
+for _, case in ipairs{ { { t = { 2, 14 } }, "times of the run, 0.0 .. 10.0, got 14.0" },
+  { { t = { 2 } }, "expected {from, to}, got a list of 1" }, { { t = { 0/0, 1 } }, "got nan" },
+  { { t = { 1, 2 }, times = { 1 } }, "t or times, not both" } } do
+  local ended, message = pcall(whole.sample, whole, case[1])
+  equal(ended, false)
+  contains(message, case[2])
+end

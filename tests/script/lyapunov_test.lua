@@ -39,9 +39,11 @@ contains(printed(all.plot, all), "|exponent|")
 contains(printed(all.plot, all, { title = "mine" }), "mine")
 
 local name = os.tmpname()
-equal(printed(figure.csv, figure, name), "wrote " .. name .. " (4 rows)\n")
+equal(printed(figure.csv, figure, name), "wrote " .. name .. " (4 rows) and " .. name .. ".json\n")
 local data = read_csv(name)
+contains(io.open(name .. ".json"):read "a", '"chart": "euler_vector"')
 os.remove(name)
+os.remove(name .. ".json")
 equal(data.t[4], 1e5)
 equal(data.largest[1], figure.history[1][1])
 equal(data.least[1], figure.history[1][3])
@@ -51,7 +53,8 @@ local short = run:lyapunov { times = { 40, 80, 1000 } }
 local qr = run:lyapunov { times = { 40, 80, 1000 }, method = "qr" }
 for i = 1, 3 do
   local a, b = short.history[i], qr.history[i]
-  -- Some 1e-12 a step and unit of t, and the condition 8 of the chart.
+  -- A step of a unit of t or two errs by some 1e-12, its allowance is a hundred times that; and the condition 8 of the
+  -- chart.
   near(a[1] + a[2] + a[3], b[1] + b[2] + b[3], 1e-10, "sum of the exponents")
 end
 equal(qr.bridged, 0)

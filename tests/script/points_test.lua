@@ -91,6 +91,7 @@ contains(select(2, pcall(none.return_times, none, 1)), "two points at least are 
 -- What is wrong is refused; an error of the script's comes through as it is.
 contains(refused("strobe", 0), "the period must be positive, got 0.0")
 contains(refused("strobe", 1e9), "longer than the run")
+contains(refused("strobe", 1e-9), "the period 1e-09 makes")
 contains(refused("strobe"), "number")
 contains(refused("section", {}), "give one of f")
 contains(refused("section", { f = print, plane = { 0, 0, 1 } }), "give one of f")
