@@ -14,7 +14,7 @@
 namespace rotor {
 namespace {
 
-constexpr int kStages = 12;
+constexpr Eigen::Index kStages = 12;
 using Stages = Eigen::Matrix<double, kStages, 1>;
 using Square = Eigen::Matrix<double, kStages, kStages>;
 using Blocks = Eigen::Matrix<double, 3 * kStages, 3>;
@@ -37,20 +37,20 @@ Collocation gauss_collocation() {
     const std::size_t k = j % 6;
     const Extended x = j < 6 ? kGauss12Nodes[k] : -kGauss12Nodes[k];
     p[j] = legendre<kStages + 1>(x);
-    method.nodes(static_cast<int>(j)) = static_cast<double>((1 + x) / 2);
-    method.weights(static_cast<int>(j)) = kGauss12Weights[k] / 2;
+    method.nodes(static_cast<Eigen::Index>(j)) = static_cast<double>((1 + x) / 2);
+    method.weights(static_cast<Eigen::Index>(j)) = kGauss12Weights[k] / 2;
   }
-  for (int i = 0; i < kStages; ++i) {
+  for (Eigen::Index i = 0; i < kStages; ++i) {
     const auto& at = p[static_cast<std::size_t>(i)];
-    for (int j = 0; j < kStages; ++j) {
+    for (Eigen::Index j = 0; j < kStages; ++j) {
       const auto& from = p[static_cast<std::size_t>(j)];
       Extended sum = at[1] + 1;
       for (std::size_t n = 1; n < kStages; ++n) sum += (at[n + 1] - at[n - 1]) * from[n];
       method.integrals(i, j) = static_cast<double>(sum / 2) * method.weights(j);
     }
-    for (int n = 0; n < 4; ++n) {
-      const int degree = kStages - 4 + n;
-      method.tail(n, i) = (2 * degree + 1) * method.weights(i) *
+    for (Eigen::Index n = 0; n < 4; ++n) {
+      const Eigen::Index degree = kStages - 4 + n;
+      method.tail(n, i) = static_cast<double>(2 * degree + 1) * method.weights(i) *
                           static_cast<double>(at[static_cast<std::size_t>(degree)]);
     }
   }
@@ -93,7 +93,7 @@ Variation::Step Variation::step(double t, double h) const {
   Step result;
   Eigen::Matrix<double, 3 * kStages, 3 * kStages> system;
   std::array<Matrix, kStages> rates;
-  for (int j = 0; j < kStages; ++j) {
+  for (Eigen::Index j = 0; j < kStages; ++j) {
     const double at = t + method.nodes(j) * h;
     const State state = chart_state(run_, at, chart_);
     if (!passable(state)) return result;
@@ -101,7 +101,7 @@ Variation::Step Variation::step(double t, double h) const {
     Matrix& rate = rates[static_cast<std::size_t>(j)];
     rate = h * rate_jacobian(chart_, state, frame == Frame::kSpace ? generator : Vector(-generator),
                              frame);
-    for (int i = 0; i < kStages; ++i)
+    for (Eigen::Index i = 0; i < kStages; ++i)
       system.block<3, 3>(3 * i, 3 * j) = -method.integrals(i, j) * rate;
   }
   result.passable = true;
@@ -109,10 +109,11 @@ Variation::Step Variation::step(double t, double h) const {
   const Blocks x = system.partialPivLu().solve(Matrix::Identity().replicate<kStages, 1>());
   std::array<Matrix, 4> tail;
   tail.fill(Matrix::Zero());
-  for (int j = 0; j < kStages; ++j) {
+  for (Eigen::Index j = 0; j < kStages; ++j) {
     const Matrix slope = rates[static_cast<std::size_t>(j)] * x.block<3, 3>(3 * j, 0);
     result.moved += method.weights(j) * slope;
-    for (int n = 0; n < 4; ++n) tail[static_cast<std::size_t>(n)] += method.tail(n, j) * slope;
+    for (Eigen::Index n = 0; n < 4; ++n)
+      tail[static_cast<std::size_t>(n)] += method.tail(n, j) * slope;
   }
   const double before = std::sqrt(tail[0].squaredNorm() + tail[1].squaredNorm());
   const double last = std::sqrt(tail[2].squaredNorm() + tail[3].squaredNorm());
