@@ -161,8 +161,7 @@ LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times
       sum = orthonormalise(q);
       result.history.emplace_back(logs_of_singular_values(*d) / length);
     } else {
-      variation.advance(last, t, axes);
-      sum += orthonormalise(axes);
+      variation.advance(last, t, axes, sum);
       result.history.emplace_back(sorted(sum / length));
     }
     sums.add(t, sum);

@@ -25,6 +25,7 @@ struct Sample {
 // Nothing where f jumps over it.
 std::optional<double> zero_between(const std::function<double(double)>& f, Sample a, Sample b) {
   const double range = std::abs(b.f - a.f);
+  const double slope = range / std::abs(b.t - a.t);
   Sample c = a;
   double part = 0.5;
   while (a.f != 0 && b.f != 0) {
@@ -48,7 +49,10 @@ std::optional<double> zero_between(const std::function<double(double)>& f, Sampl
                 : 0.5;
     part = std::clamp(part, least, 1 - least);
   }
-  if (a.f != 0 && b.f != 0 && std::abs(b.f - a.f) > 1e-6 * range) return std::nullopt;
+  // At late t one rounding of t may be more than that of f.
+  const double of_t = std::abs(b.t - a.t) + 4 * kEpsilon * std::abs(a.t);
+  if (a.f != 0 && b.f != 0 && std::abs(b.f - a.f) > 1e-6 * range + 16 * slope * of_t)
+    return std::nullopt;
   return std::abs(a.f) < std::abs(b.f) ? a.t : b.t;
 }
 
@@ -73,21 +77,30 @@ std::vector<double> times_to_look(const Run& run, const std::optional<std::size_
 
 std::vector<double> section(const Run& run, const std::function<double(double)>& f,
                             Direction direction, std::optional<std::size_t> n,
-                            const Observer& observer) {
+                            const Observer& observer, const std::function<double(double)>& below) {
   const std::vector<double> times = times_to_look(run, n);
   std::vector<double> zeros;
+  bool known = false;
+  const auto add = [&](double zero, bool rises) {
+    const double sign = below ? below(zero) : 1;
+    if (std::abs(sign) <= 8 * kEpsilon) return;
+    if (direction == Direction::kBoth || (direction == Direction::kUp) == (rises == (sign > 0)))
+      zeros.push_back(zero);
+  };
   Sample last{times.front(), std::numeric_limits<double>::quiet_NaN()};
   visit_times(times, observer, [&](double t) {
     const Sample now{t, f(t)};
+    known = known || !std::isnan(now.f);
     if (now.f == 0) return;  // it comes through where it is on the other side
-    const bool changes = (last.f < 0 && now.f > 0) || (last.f > 0 && now.f < 0);
-    const bool wanted =
-        direction == Direction::kBoth || (direction == Direction::kUp) == (now.f > 0);
-    if (changes && wanted) {
-      if (const auto zero = zero_between(f, last, now)) zeros.push_back(*zero);
+    if ((last.f < 0 && now.f > 0) || (last.f > 0 && now.f < 0)) {
+      if (const auto zero = zero_between(f, last, now)) add(*zero, now.f > 0);
     }
     last = now;
   });
+  if (!known) {
+    throw std::invalid_argument("the function is nan at all " + std::to_string(times.size()) +
+                                " times at which it was looked at");
+  }
   return zeros;
 }
 

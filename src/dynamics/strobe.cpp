@@ -20,14 +20,15 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr Extended kTwoPi = 2 * std::numbers::pi_v<Extended>;
 
 // What the motion has done since the first of the times: V^k.
-std::vector<Quaternion> turns_since_first(const Run& run, std::span<const double> times) {
+std::vector<Quaternion> turns_since_first(const Run& run, std::span<const double> times,
+                                          const Observer& observer) {
   const Quaternion back = run.attitude(times.front()).quaternion.conjugate();
   std::vector<Quaternion> turns;
   turns.reserve(times.size());
-  for (const double t : times) {
+  visit_times(times, observer, [&](double t) {
     const Quaternion q = run.attitude(t).quaternion;
     turns.push_back(run.propagator().frame == Frame::kSpace ? q * back : back * q);
-  }
+  });
   return turns;
 }
 
@@ -82,8 +83,9 @@ std::vector<double> strobe_times(const Run& run, double period) {
   return times_every(run.t0(), run.t1(), period);
 }
 
-StrobeCircle strobe_circle(const Run& run, std::span<const double> times) {
-  const std::vector<Quaternion> turns = turns_since_first(run, times);
+StrobeCircle strobe_circle(const Run& run, std::span<const double> times,
+                           const Observer& observer) {
+  const std::vector<Quaternion> turns = turns_since_first(run, times, observer);
   // The period and the times are rounded.
   const double of_t =
       kEpsilon * std::max(std::abs(times.front()), std::abs(times.back())) * speed(run, times);
@@ -151,14 +153,14 @@ NearReturn nearest_return(const StrobeCircle& circle, std::size_t most) {
   return {nearest, static_cast<double>(kTwoPi) * off(nearest)};
 }
 
-Plane plane_of_m(const Run& run, std::span<const double> times) {
+Plane plane_of_m(const Run& run, std::span<const double> times, const Observer& observer) {
   std::vector<Vector> points;
   points.reserve(times.size());
   Matrix sum = Matrix::Zero();
-  for (const double t : times) {
+  visit_times(times, observer, [&](double t) {
     const Vector& m = points.emplace_back(run.attitude(t).modified_gibbs());
     sum += m * m.transpose();
-  }
+  });
   const Eigen::SelfAdjointEigenSolver<Matrix> solver(sum);
   Vector normal = solver.eigenvectors().col(0);  // that of the least eigenvalue
   for (int i = 2; i >= 0; --i) {

@@ -26,7 +26,8 @@ struct StrobeCircle {
 };
 
 /// Measured on the points at `times`, a period apart, two at least.
-StrobeCircle strobe_circle(const Run& run, std::span<const double> times);
+StrobeCircle strobe_circle(const Run& run, std::span<const double> times,
+                           const Observer& observer = {});
 
 /// After how many periods a motion is where it was, from any start.
 struct ClosedOrbit {
@@ -62,6 +63,6 @@ struct Plane {
   Vector normal;  // unit, its last component that is not 0 positive
   double off;     // the greatest distance of a point
 };
-Plane plane_of_m(const Run& run, std::span<const double> times);
+Plane plane_of_m(const Run& run, std::span<const double> times, const Observer& observer = {});
 
 }  // namespace rotor

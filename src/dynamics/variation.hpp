@@ -19,15 +19,19 @@ class Variation {
 
   Variation(const Run& run, Chart chart, double first_step, Bridge bridge);
 
-  /// Follows d, of order 1, from t to t_end; the chart is not singular at either.
-  void advance(double t, double t_end, Matrix& d);
+  /// Follows the columns of d, orthonormal, from t to t_end, makes them orthonormal again on the
+  /// way, and adds to logs those of the lengths (see orthonormalise). The chart is not singular at
+  /// either time.
+  void advance(double t, double t_end, Matrix& d, Vector& logs);
   /// How many stretches were bridged.
   std::size_t bridged() const { return bridged_; }
 
  private:
   struct Step;
   bool passable(const State& state) const;
-  Step step(double t, double h) const;
+  Matrix rate(double t, const State& state) const;
+  Step step(double t, double h, const Matrix& rate_at_t) const;
+  void follow(double t, double t_end, Matrix& d, Vector& logs);
   double end_of_bridge(double t, double t_end) const;
 
   const Run& run_;

@@ -52,24 +52,45 @@ std::function<double(double)> scripted_function(lua_State* L, int index, const S
   };
 }
 
-// normal . X - offset, X the chart.
-std::function<double(double)> plane_function(lua_State* L, const Options& options,
-                                             const SharedRun& run) {
+// normal . X - offset, X the chart: of G = M/M0 and of the MRP n sin(theta/4)/cos(theta/4) times
+// what is below.
+struct PlaneFunction {
+  std::function<double(double)> value;
+  std::function<double(double)> below = nullptr;
+};
+PlaneFunction plane_function(lua_State* L, const Options& options, const SharedRun& run) {
   const Vector normal = *options.get<Vector>("plane");
   const double length = norm(normal);
   if (!(length > 0 && std::isfinite(length))) {
-    throw std::invalid_argument("plane: a normal of any length but zero is expected, got " +
+    throw std::invalid_argument("plane: a finite normal other than 0 is expected, got " +
                                 shown(normal));
   }
   const double offset = options.get<double>("offset").value_or(0);
+  if (!std::isfinite(offset))
+    throw std::invalid_argument("offset: expected a finite number, got " + shown(offset));
   const Chart chart = chart_option(L, options, "chart");
   if (chart == Chart::kRotation) {
     throw std::invalid_argument("chart: \"rotation\" has no coordinates for a plane");
   }
   const Observer watch = script::watching(run->t0(), run->t1());
-  return [=](double t) {
+  if (chart == Chart::kGibbs) {
+    return {[=](double t) {
+              const Quaternion q = run->attitude(t).quaternion;
+              return normal.dot(q.vec()) - offset * q.w();
+            },
+            [=](double t) { return run->attitude(t).quaternion.w(); }};
+  }
+  if (chart == Chart::kMrp) {
+    return {[=](double t) {
+              const State state = (*run)(t, watch);
+              return normal.dot(state.axis) * std::sin(state.angle / 4) -
+                     offset * std::cos(state.angle / 4);
+            },
+            [=](double t) { return std::cos((*run)(t, watch).angle / 4); }};
+  }
+  return {[=](double t) {
     return normal.dot(coordinates(chart, chart_state(*run, t, chart, watch))) - offset;
-  };
+  }};
 }
 
 constexpr const char* kSection =
@@ -85,22 +106,23 @@ Results section_entry(lua_State* L) {
       throw std::invalid_argument(std::string(key) + " belongs to plane, not to f");
     }
   }
-  std::function<double(double)> f;
+  PlaneFunction f;
   if (options.has("f")) {
     options.push("f");
     if (!lua_isfunction(L, -1)) {
       throw std::invalid_argument("f: expected a function of a state, got " + describe(L, -1));
     }
-    f = scripted_function(L, lua_gettop(L), run);
+    f = {scripted_function(L, lua_gettop(L), run)};
   } else {
     f = plane_function(L, options, run);
   }
   const auto direction = static_cast<Direction>(options.word("direction", {"both", "up", "down"}));
   const auto n = options.get<std::size_t>("n");
   Convert<SharedPoints>::push(
-      L, std::make_shared<const RunPoints>(
-             RunPoints{run, section(*run, f, direction, n, script::watching(run->t0(), run->t1())),
-                       std::nullopt}));
+      L, std::make_shared<const RunPoints>(RunPoints{
+             run,
+             section(*run, f.value, direction, n, script::watching(run->t0(), run->t1()), f.below),
+             std::nullopt}));
   return {1};
 }
 
@@ -194,7 +216,8 @@ std::optional<double> period(const SharedPoints& points) { return points->period
 // The circle of a strobe whose omega has that period, else null.
 const StrobeCircle* circle_of(const SharedPoints& points) {
   if (!points->period) return nullptr;
-  if (!points->circle) points->circle = strobe_circle(*points->run, points->times);
+  if (!points->circle)
+    points->circle = strobe_circle(*points->run, points->times, watching(*points));
   return points->circle->closes ? &*points->circle : nullptr;
 }
 std::optional<Vector> axis(const SharedPoints& points) {
@@ -225,7 +248,7 @@ std::optional<std::size_t> attitude_period(const SharedPoints& points) {
 Results plane(lua_State* L) {
   const SharedPoints& points = argument<SharedPoints>(L, 1);
   if (points->times.empty()) throw std::invalid_argument("there are no points");
-  const Plane found = plane_of_m(*points->run, points->times);
+  const Plane found = plane_of_m(*points->run, points->times, watching(*points));
   lua_createtable(L, 0, 2);
   Convert<Vector>::push(L, found.normal);
   lua_setfield(L, -2, "normal");
@@ -264,7 +287,10 @@ std::string text_of_points(const SharedPoints& points) {
   std::string result =
       "points  " + std::to_string(n) +
       (points->period ? "  strobe with period " + shown(*points->period) : "  section");
-  if (n > 0) result += "  t " + shown(points->times.front()) + " .. " + shown(points->times.back());
+  if (n > 0) {
+    result += "  t " + rotor::text(points->times.front(), 8) + " .. " +
+              rotor::text(points->times.back(), 8);
+  }
   if (!points->period) return result;
   if (const StrobeCircle* const circle = circle_of(points)) {
     result += "\n        rotation number " + shown(circle->rotation_number) + " +- " +

@@ -55,8 +55,11 @@ TEST_CASE("no zero where f jumps over it, touches it, is NaN, or starts on it") 
             run, [](double t) { return t; }, Direction::kBoth)
             .empty());
   CHECK(section(
-            run, [](double) { return std::nan(""); }, Direction::kBoth)
+            run, [](double t) { return t < 9 ? std::nan("") : t; }, Direction::kBoth)
             .empty());
+  CHECK_THROWS_WITH(section(
+                        run, [](double) { return std::nan(""); }, Direction::kBoth),
+                    Catch::Matchers::Contains("nan at all"));
   CHECK(section(
             run, [](double) { return 0.0; }, Direction::kBoth)
             .empty());
