@@ -52,6 +52,19 @@ for _, quarter in ipairs { 0, 1, 2, 4 } do
   print((line:gsub("%-(0%.0+)%f[^0-9]", " %1")))
 end
 print ""
+print(("%-30s %-16s %14s %14s"):format("", "paper", "rotor", "exact"))
+for _, row in ipairs {
+  { "revolutions of B in 4 pi", "2", swept(of_b, 4*pi)/(2*pi), 2 },
+  { "revolutions of n in 4 pi", "1", swept(in_plane, 4*pi)/(2*pi), 1 },
+  { "n(2 pi) . n(0)", "-1", dot(n(2*pi), n(0)), -1 },
+  { "n_z(pi)", "2^(-1/2)", n(pi).z, 1/sqrt(2) },
+  { "tilt of the plane of n, deg", "tilted", acos(unit(cross(n(0), n(pi))).z)/deg, 45 },
+  { "greatest speed of n, at t = 0", "-", norm(run(0).axis_rate), 1/sqrt(2) },
+  { "least, at t = pi", "-", norm(run(pi).axis_rate), 1/sqrt(8) },
+} do
+  print(("%-30s %-16s %14.10g %14.10g"):format(table.unpack(row)))
+end
+print "paper: the example of section 4; -: no number in the text\n"
 if arg[1] then
   local data = { t = {}, n = {}, B = {} }
   for step = 0, 480 do
@@ -91,3 +104,6 @@ theorem("Figure 1: the plane of n is tilted by 45 degrees, and how n goes round 
     near(case[2], norm(run(case[1]).axis_rate), 2*known, "the speed of n at " .. case[1]/pi .. " pi")
   end)
 end)
+
+-- The program, arg[-1], runs this script neither for figures.lua nor with --test.
+if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure1.lua figure1.csv" end

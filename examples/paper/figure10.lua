@@ -64,6 +64,25 @@ local function amplitudes(scene, n)
   return list
 end
 
+local function frequency(which, name)
+  for i = 1, #scenes[which].lines do
+    if scenes[which].lines[i].name == name then return scenes[which].lines[i].frequency end
+  end
+end
+print ""
+print(("%-30s %-16s %14s %14s"):format("", "paper", "rotor", "exact"))
+for _, row in ipairs {
+  { "T = 40: frequency", "about 0.068", frequency(1, "f_F"), scenes[1].low },
+  { "        its period", "about 14.7", 1/frequency(1, "f_F"), 1/scenes[1].low },
+  { "        frequency", "about 0.0925", frequency(1, "drive + f_F"), scenes[1].high },
+  { "        its period", "about 10.8", 1/frequency(1, "drive + f_F"), 1/scenes[1].high },
+  { "        the drive", "1/40", frequency(1, "drive"), 1/40 },
+  { "T = pi: period", "roughly 53", 1/frequency(2, "f_F"), 1/scenes[2].low },
+  { "        period", "roughly 3", 1/frequency(2, "drive + f_F"), 1/scenes[2].high },
+} do
+  print(("%-30s %-16s %14.10g %14.10g"):format(table.unpack(row)))
+end
+
 for _, scene in ipairs(scenes) do
   scene.exact, scene.coarse = amplitudes(scene, 128), amplitudes(scene, 64)
   print("\nlines of E_x, " .. scene.name .. "\n")
@@ -120,3 +139,6 @@ theorem("Figure 10: the peaks of the density are these lines", function()
     end
   end)
 end)
+
+-- The program, arg[-1], runs this script neither for figures.lua nor with --test.
+if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure10.lua figure10.csv" end

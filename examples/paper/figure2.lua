@@ -19,7 +19,20 @@ print "\nE in its plane, along x, and seen from the side\n"
 local points = run:strobe(pi/100)
 points:plot("euler_vector_x", "euler_vector_y", { height = 14 })
 points:plot("euler_vector_y", "euler_vector_z", { height = 10 })
+local upward, least, most = run:section { plane = { 1, 0, 0 }, direction = "up" }.times, math.huge, 0
+for i = 1, #points do least, most = math.min(least, points[i].angle), math.max(most, points[i].angle) end
 print ""
+print(("%-30s %-16s %14s %14s"):format("", "paper", "rotor", "exact"))
+for _, row in ipairs {
+  { "period of E", "4 pi", upward[2] - upward[1], 4*pi },
+  { "least |E|", "pi/2", least, pi/2 },
+  { "greatest |E|", "3 pi/2", most, 3*pi/2 },
+  { "|E| at t = pi", "2 acos(0)", run(pi).angle, pi },
+  { "E_x at t = 2 pi", "-3 pi/2", run(2*pi).euler_vector.x, -3*pi/2 },
+} do
+  print(("%-30s %-16s %14.10g %14.10g"):format(table.unpack(row)))
+end
+print "paper: the example of section 4\n"
 if arg[1] then run:csv(arg[1], { every = pi/100, columns = { "t", "angle", "axis", "euler_vector" } }) end
 
 theorem("Figure 2: the period is 4 pi, that of the body 2 pi", function()
@@ -46,12 +59,10 @@ theorem("Figure 2: where the curves cross pi and 0", function()
 end)
 
 theorem("Figure 2: the heights of the curves", function()
-  local least, most, right, left, up = math.huge, 0, -math.huge, math.huge, -math.huge
+  local right, left, up = -math.huge, math.huge, -math.huge
   for i = 1, #points do
-    local s = points[i]
-    least, most = math.min(least, s.angle), math.max(most, s.angle)
-    right, left = math.max(right, s.euler_vector.x), math.min(left, s.euler_vector.x)
-    up = math.max(up, s.euler_vector.y)
+    local e = points[i].euler_vector
+    right, left, up = math.max(right, e.x), math.min(left, e.x), math.max(up, e.y)
   end
   -- There is a point at each multiple of pi/100.
   near(pi/2, least, known, "the least theta")
@@ -74,3 +85,6 @@ theorem("Figure 2: the heights of the curves", function()
   near(predicted, up, (pi/200)^2/2 + known_e, "the greatest E_y of the points")
   holds(top.t > pi, "after pi")
 end)
+
+-- The program, arg[-1], runs this script neither for figures.lua nor with --test.
+if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure2.lua figure2.csv" end

@@ -112,14 +112,22 @@ local function range(points)
   end
   return least, most
 end
-print "\n                          to t = 4200      to t = 42000      exactly"
-print(("strobe points after t = 0 %11d %17d"):format(#few - 1, #strobe - 1))
+print "\n                          paper          rotor, to t =                  exact"
+print "                                              4200        42000"
 local few_least, few_most = range(few)
 local least, most = range(strobe)
-print(("least theta of a point    %11.6f %17.6f %17.6f"):format(few_least, least, strobe_least))
-print(("greatest                  %11.6f %17.6f %17.6f"):format(few_most, most, 2*pi - strobe_least))
-print(("rotation number           %14.9f %17.9f %14.9f"):format(few.rotation_number, strobe.rotation_number, rho))
-print ""
+for _, row in ipairs {
+  { "strobe points after t = 0", "4200/40, 10x", "%12d", #few - 1, #strobe - 1 },
+  { "M off one plane", "a closed curve", "%12.1e", few.plane.off, strobe.plane.off, 0 },
+  { "greatest theta of a point", "-", "%12.6f", few_most, most, 2*pi - strobe_least },
+  { "least", "-", "%12.6f", few_least, least, strobe_least },
+  { "turns of the curve per T", "-", "%12.9f", few.rotation_number, strobe.rotation_number, rho },
+} do
+  local line = ("%-25s %-14s"):format(row[1], row[2])
+  for i = 4, #row do line = line .. " " .. row[3]:format(row[i]) end
+  print(line .. (#row == 5 and "    105, 1050" or ""))
+end
+print "-: no number in the text of the paper\n"
 
 theorem("Figure 3a: E by the closed form, and to t = 42000", function()
   for_each({ { 10, vec(-2.0714505365, -0.6623446028, 0.8668860171) },
@@ -194,3 +202,6 @@ theorem("Figures 3a, 3d: a torus, and n keeps half of the least theta away from 
   near(0.706988, least_angle, 5e-7, "the least theta, of 50 digits")
   near(5.576197, 2*pi - least_angle, 5e-7, "the greatest, of 50 digits")
 end)
+
+-- The program, arg[-1], runs this script neither for figures.lua nor with --test.
+if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure3.lua figure3.csv" end

@@ -41,14 +41,16 @@ if arg[1] then
   write_csv(arg[1], data, { columns = { "angle", "r", "axis" } })
 end
 
-print "\n|dn| of the figure, the exact tilt; how far off n + dn and theta put the body\n"
-print "d             |dn|           tilt    off by   body off by  d^2 cot(theta/2)/4"
+print "\nFor d = |omega| dt the paper's |dn| (a formula, no numbers), d/(2 sin(theta/2)),"
+print "the tilt, and how far off n + dn and theta put the body: d^2 cot(theta/2)/4\n"
+print "                 paper          rotor          exact         rotor    d -> 0"
+print "d                 |dn|           tilt           tilt      body off  body off"
 for k = 0, 4 do
   local h = 10^-k
   local finite, dn = rotation(u, h)*rotation(n, theta), dn_of(n, u, theta, h)
   local gamma = atan(norm(cross(n, finite.axis)), dot(n, finite.axis))
-  print(("%-6g  %12.10f  %12.10f  %8.1e  %12.5e  %18.5e"):format(h, norm(dn), gamma, norm(dn) - gamma,
-    rotation(n + dn, theta):distance(finite), h^2/(4*tan(theta/2))))
+  print(("%-7g %14.12f %14.12f %14.12f %13.6e %10.4e"):format(h, norm(dn), gamma,
+    atan(tan(h/2), sin(theta/2)), rotation(n + dn, theta):distance(finite), h^2/(4*tan(theta/2))))
 end
 print ""
 
@@ -99,3 +101,6 @@ theorem("for all points of the body: theta about n + dn is off by d^2 |cot(theta
     near(abs(1/tan(angle/2))/4, off/h^2, h/12 + h^2 + 1e-15/h^2, "over d^2")
   end)
 end)
+
+-- The program, arg[-1], runs this script neither for figures.lua nor with --test.
+if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure4.lua figure4.csv" end

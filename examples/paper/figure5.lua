@@ -62,7 +62,20 @@ if arg[1] then
   end
   write_csv(arg[1], data, { columns = { "t", "n1", "n2", "p1", "p2" } })
 end
+local minor, major = p(run(2*pi - 2*b)), p(run(pi - 2*b))
 print ""
+print(("%-30s %-16s %14s %14s"):format("", "paper", "rotor", "exact"))
+for _, row in ipairs {
+  { "semi-axis along e1", "1", abs(dot(minor, e1)), 1 },
+  { "semi-axis along e2", "(1 - a^2)^(-1/2)", dot(major, e2), 1/m },
+  { "|n'| at -e1", "greatest", speed(run(2*pi - 2*b)), 1/(2*m) },
+  { "|n'| at e2", "least", speed(run(pi - 2*b)), m/2 },
+  { "n(2 pi) . n(0)", "-1", dot(run(2*pi).axis, n0), -1 },
+  { "theta(2 pi)", "2 pi - theta(0)", run(2*pi).angle, 2*pi - theta0 },
+} do
+  print(("%-30s %-16s %14.10g %14.10g"):format(table.unpack(row)))
+end
+print "paper: Theorem 4.1; no numbers with the figure\n"
 
 theorem("Figure 5: p(t), and n the ray to it", function()
   -- acos is steeper than its argument by 1/sin(b) < 4.
@@ -110,3 +123,6 @@ theorem("Figure 5: n is fastest at e1 and -e1, slowest at e2 and -e2", function(
     near(1/(2*m), speed(state)*dot(p(state), p(state)), known_speed/m^2 + known_p/m, "|n'| |p|^2: equal areas")
   end)
 end)
+
+-- The program, arg[-1], runs this script neither for figures.lua nor with --test.
+if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure5.lua figure5.csv" end

@@ -36,6 +36,7 @@ do
   B, b = sqrt((cc - ss)^2 + (cs + sc)^2)/2, atan(cs + sc, cc - ss)
 end
 local f1, f2 = (sqrt(1 + alpha^2) - alpha)/(4*pi), (sqrt(1 + alpha^2) + alpha)/(4*pi)
+local least, most = 2*acos(A + B), 2*acos(-A - B)
 
 -- Of the times in a window at which the slower cosine is sign, that at which the other is nearest to it, and
 -- cos(theta/2) then.
@@ -56,7 +57,29 @@ for _, case in ipairs { { "7a", 200 }, { "7b", last } } do
 end
 if arg[1] then run:csv(arg[1], { every = 0.1, columns = { "t", "angle", "euler_vector" } }) end
 
-local least, most = 2*acos(A + B), 2*acos(-A - B)
+local found = run:frequencies(2, { of = "quaternion_w" })
+local lines = { [found[1].name] = found[1], [found[2].name] = found[2] }
+-- The least and the greatest |E| until then, 0.1 apart.
+local function range(window)
+  local low, high = math.huge, 0
+  for i = 0, 10*window do
+    local theta = run(i/10).angle
+    low, high = math.min(low, theta), math.max(high, theta)
+  end
+  return low, high
+end
+local lowest, highest = range(last)
+print ""
+print(("%-30s %-16s %14s %14s"):format("", "paper", "rotor", "exact"))
+for _, row in ipairs {
+  { "frequency (Omega - alpha)/4 pi", "0.068 (Fig. 10)", lines.f_F.frequency, f1 },
+  { "frequency (Omega + alpha)/4 pi", "0.0925 (Fig. 10)", lines["drive + f_F"].frequency, f2 },
+  { "least |E| to 4200, its bound", "-", lowest, least },
+  { "greatest |E|, its bound", "-", highest, most },
+} do
+  print(("%-30s %-16s %14.10g %14.10g"):format(table.unpack(row)))
+end
+print "-: no number in the text of the paper; the figure plots |E|\n"
 print "how near |E| comes to its bounds, when the slower cosine is 1 or -1\n"
 print "until t    lower, 2 acos(A + B)          upper, 2 acos(-A - B)"
 for _, window in ipairs { 200, last } do
@@ -84,8 +107,6 @@ theorem("Figure 7: |E| is two frequencies that are incommensurate", function()
   for_each(times, function(t)
     near(A*cos(2*pi*f1*t - a) + B*cos(2*pi*f2*t - b), cos(run(t).angle/2), known(t), "cos(theta/2)")
   end)
-  local found = run:frequencies(2, { of = "quaternion_w" })
-  local lines = { [found[1].name] = found[1], [found[2].name] = found[2] }
   -- What refined frequencies shall be good to.
   for_each({ { "f_F", f1, A }, { "drive + f_F", f2, B } }, function(case)
     local line = lines[case[1]]
@@ -98,11 +119,7 @@ theorem("Figure 7: |E| stays between bounds that it comes ever nearer to", funct
   near(0.706988, least, 0.5e-6, "the lower bound")
   near(5.576197, most, 0.5e-6, "the upper bound")
   for_each({ 200, last }, function(window)
-    local low, high = math.huge, 0
-    for t = 0, window, 0.1 do
-      local theta = run(t).angle
-      low, high = math.min(low, theta), math.max(high, theta)
-    end
+    local low, high = range(window)
     holds(low > least and high < most, "all samples are between them, 0.1 apart")
     for _, sign in ipairs { 1, -1 } do
       local t, cosine = nearest(sign, window)
@@ -111,3 +128,6 @@ theorem("Figure 7: |E| stays between bounds that it comes ever nearer to", funct
     end
   end)
 end)
+
+-- The program, arg[-1], runs this script neither for figures.lua nor with --test.
+if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure7.lua figure7.csv" end
