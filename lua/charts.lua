@@ -141,7 +141,7 @@ local function number(x, form) return x and form:format(x) or "-" end
 
 local function cells(row)
   return { row.label, number(row.disagreement, "%.1e"), number(row.steps, "%d"), number(row.omega_calls, "%d"),
-    ("%.6g"):format(row.reached), row.stopped or "the end" }
+    ("%.8g"):format(row.reached), row.stopped or "the end" }
 end
 
 --- The table, for the terminal.
@@ -163,11 +163,11 @@ function meta.__tostring(self)
   end
   local far = self.farthest
   if far then
-    lines[#lines + 1] = text.wrap(("any two agree to %.1e rad, least %s and %s at t = %.6g"):format(far.disagreement,
-      far[1], far[2], far.at), "", "  ")
+    local apart = "any two agree to %.1e rad; farthest apart are %s and %s, at t = %.8g"
+    lines[#lines + 1] = text.wrap(apart:format(far.disagreement, far[1], far[2], far.at), "", "  ")
   end
   if self.lost_sign then
-    local alone = "M alone, without cos(theta/2), loses the sign of it at theta = pi, t = %.6g"
+    local alone = "M alone, without cos(theta/2), loses the sign of it at theta = pi, t = %.8g"
     lines[#lines + 1] = text.wrap(alone:format(self.lost_sign), "", "  ")
   end
   return table.concat(lines, "\n")

@@ -46,8 +46,11 @@ Average average(std::span<const Sample> samples) {
   const Means all = means(samples);
   const Means first = means(samples.first(samples.size() / 2));
   const Means second = means(samples.last(samples.size() / 2));
-  return {all.plain, all.weighted, std::abs(second.plain - first.plain),
-          std::abs(second.weighted - first.weighted)};
+  const auto spread = [&](double Means::*mean) {
+    const auto [least, most] = std::minmax({all.*mean, first.*mean, second.*mean});
+    return most - least;
+  };
+  return {all.plain, all.weighted, spread(&Means::plain), spread(&Means::weighted)};
 }
 
 void require_finite_sample(double value, std::size_t i) {

@@ -13,8 +13,8 @@ namespace rotor {
 struct Average {
   double plain = 0;
   double weighted = 0;
-  /// |second half - first half|, of the plain and of the weighted averages: what each may be wrong
-  /// by, for a half alone.
+  /// How far the averages of the whole and of the two halves are apart, plain and weighted: what
+  /// each may be wrong by, for a half alone.
   double plain_error = 0;
   double weighted_error = 0;
 };

@@ -51,6 +51,33 @@ std::vector<double> line_strengths(const Run& run, double period, const Vector& 
   return strengths;
 }
 
+// What the rounding of the start and of the end of a period turns, at most: by |omega| at some
+// places of it.
+double rounding_of_times(const Run& run, double period) {
+  constexpr int kLooks = 16;
+  const double forward = run.t1() >= run.t0() ? 1 : -1;
+  double greatest = 0;
+  for (int i = 0; i < kLooks; ++i) {
+    const double t = run.t0() + forward * period * i / kLooks;
+    greatest = std::max(greatest, norm(run.propagator().flow->generator(t)));
+  }
+  return kEpsilon * (std::abs(run.t0()) + 2 * period) * greatest;
+}
+
+// If omega repeats, U(t0 + 2 T) = U(t0 + T)^2.
+void refuse_other_period(const Run& run, double period, const Quaternion& end, double of_t) {
+  if (2 * period > std::abs(run.t1() - run.t0())) return;
+  const double forward = run.t1() >= run.t0() ? 1 : -1;
+  const Quaternion twice = run.propagator().flow->at(run.t0() + forward * 2 * period);
+  const double off = (twice.coeffs() - (end * end).coeffs()).norm();
+  // Of three quaternions, half the angle each.
+  if (off > 4 * (run.propagator().error_estimate + of_t + 8 * kEpsilon)) {
+    throw std::invalid_argument("omega does not repeat with the period " + text(period) +
+                                ": after two periods the body is off by " + text(2 * off, 2) +
+                                " rad");
+  }
+}
+
 std::string term(int factor, const std::string& name) {
   return factor == 1 ? name : std::to_string(factor) + " " + name;
 }
@@ -75,7 +102,9 @@ FloquetFrequencies floquet_frequencies(const Run& run, double period) {
                                 text(run.t0()) + " .. " + text(run.t1()));
   }
   const double forward = run.t1() >= run.t0() ? 1 : -1;
+  const double of_t = rounding_of_times(run, period);
   const Quaternion end = run.propagator().flow->at(run.t0() + forward * period);
+  refuse_other_period(run, period, end, of_t);
   const double sine = end.vec().norm();
   const Vector b = sine > 0 ? Vector(end.vec() / sine) : Vector(Vector::UnitX());
   const double beta = std::atan2(sine, end.w());
@@ -90,7 +119,8 @@ FloquetFrequencies floquet_frequencies(const Run& run, double period) {
   }
   const auto n = static_cast<std::ptrdiff_t>(strengths.size());
   // Of lines equally strong the slowest.
-  const double error = (run.propagator().error_estimate + 8 * kEpsilon) / (2 * kTwoPi * period);
+  const double error =
+      (run.propagator().error_estimate + of_t + 8 * kEpsilon) / (2 * kTwoPi * period);
   FloquetFrequencies best = {1 / period, 0, -1, error};
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const auto j = static_cast<double>(i < n / 2 ? i : i - n);
@@ -129,9 +159,10 @@ std::optional<Combination> combination(const FloquetFrequencies& basis, double f
                                        double tolerance) {
   constexpr int kMost = 8;
   constexpr double kMostDrives = 1000;
-  // Each k has a combination within half a drive: by chance one frequency in twenty, at most, has
-  // one within the tolerance.
-  if (basis.drive > 0 && !(2 * tolerance * (2 * kMost + 1) * 20 < basis.drive)) return std::nullopt;
+  // Each k has a combination within half a drive, or, without a drive, within half of f_F: by
+  // chance one frequency in twenty, at most, has one within the tolerance.
+  const double spacing = basis.drive > 0 ? basis.drive : basis.floquet;
+  if (!(2 * tolerance * (2 * kMost + 1) * 20 < spacing)) return std::nullopt;
   std::optional<Combination> best;
   for (int k = -kMost; k <= kMost; ++k) {
     const double rest = frequency - k * basis.floquet;

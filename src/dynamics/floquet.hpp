@@ -28,7 +28,8 @@ struct FloquetFrequencies {
 std::optional<double> drive_period(const AngularVelocity& omega);
 
 /// From one period after the start. Of a constant omega the period does not matter. Throws
-/// std::invalid_argument unless the period is positive and no longer than the run.
+/// std::invalid_argument unless the period is positive and no longer than the run, and where omega,
+/// as far as two periods tell, does not repeat with it.
 FloquetFrequencies floquet_frequencies(const Run& run, double period);
 /// With the period that omega is known to have; none where none is, or where the run is shorter.
 std::optional<FloquetFrequencies> floquet_frequencies(const Run& run);

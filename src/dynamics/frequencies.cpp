@@ -60,6 +60,7 @@ class Search {
   bool add_highest();
   void fit(int most_steps);
   void drop_rounding();
+  void drop_unresolved();
   Wave errors(const Wave& wave, double sample_error) const;
 
  private:
@@ -278,6 +279,26 @@ void Search::drop_rounding() {
   if (gone > 0) fit(1);
 }
 
+// Two lines nearer than kNearest trade what they have: their errors say nothing of that. The weaker
+// of them goes, and a line that is as near to the mean, until there are none.
+void Search::drop_unresolved() {
+  for (;;) {
+    auto weakest = waves_.end();
+    for (auto one = waves_.begin(); one != waves_.end(); ++one) {
+      const bool near =
+          std::abs(one->f) < kNearest ||
+          std::any_of(waves_.begin(), waves_.end(), [&](const Wave& other) {
+            return &other != &*one && std::abs(std::abs(other.f) - std::abs(one->f)) < kNearest;
+          });
+      if (near && (weakest == waves_.end() || one->amplitude() < weakest->amplitude()))
+        weakest = one;
+    }
+    if (weakest == waves_.end()) return;
+    waves_.erase(weakest);
+    fit(20);
+  }
+}
+
 // The errors of f, a and b (of either as much). With what is left, r, and the window's weights,
 // R(f) = 2 sum w r exp(-2 pi i f x) is the amplitude that r has at f, and the error of a and b; the
 // normal equation of the frequency is 4 pi A <x^2> df = |2 sum w x r exp(-2 pi i f x)|. At f itself
@@ -346,6 +367,7 @@ Frequencies frequencies(std::span<const double> y, double every, std::size_t n,
   }
   search.fit(20);
   search.drop_rounding();
+  search.drop_unresolved();
 
   Frequencies result;
   result.mean = search.mean();
@@ -355,6 +377,7 @@ Frequencies frequencies(std::span<const double> y, double every, std::size_t n,
     Wave wave = of_either_sign;
     if (wave.f < 0) wave = {-wave.f, wave.a, -wave.b};
     const Wave error = search.errors(wave, options.sample_error);
+    if (!(error.f < kNearest / 4)) continue;  // nothing is known of it
     // cos(2 pi f x) is a phase of -pi f before, at the first sample.
     const double phase = std::atan2(-wave.b, wave.a) - std::numbers::pi * wave.f;
     const double amplitude = wave.amplitude();

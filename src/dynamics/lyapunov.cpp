@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "dynamics/variation.hpp"
 #include "rotation/extended.hpp"
@@ -148,6 +149,7 @@ LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times
   Matrix axes = Matrix::Identity();
   Vector sum = Vector::Zero();
   double last = run.t0();  // where axes and sum are
+  double part = part_of_chart(chart, chart_state(run, run.t0(), chart));
   visit_times(result.times, observer, [&](double t) {
     const auto d = map.at(t, observer);
     if (!d) {
@@ -157,6 +159,8 @@ LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times
     }
     const double length = std::abs(t - run.t0());
     if (method == LyapunovMethod::kExact) {
+      const double now = part_of_chart(chart, chart_state(run, t, chart));
+      if (now != std::exchange(part, now)) ++result.bridged;
       Matrix q = *d;
       sum = orthonormalise(q);
       result.history.emplace_back(logs_of_singular_values(*d) / length);
@@ -167,7 +171,7 @@ LyapunovSpectrum lyapunov_spectrum(const Run& run, std::span<const double> times
     sums.add(t, sum);
     last = t;
   });
-  result.bridged = variation.bridged();
+  result.bridged += variation.bridged();
   result.local = average_rate(sums);
   return result;
 }

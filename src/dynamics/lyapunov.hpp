@@ -43,7 +43,8 @@ struct LyapunovSpectrum {
   Average local;
   /// The times at which the chart is singular to within the error of the run.
   std::vector<double> singular;
-  /// By kQr: how many times D went across instead, where the chart is singular or nearly so.
+  /// How many times D went across a singularity of the chart: by kQr where it is singular or nearly
+  /// so, by kExact as many as the times see.
   std::size_t bridged = 0;
 };
 

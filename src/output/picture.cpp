@@ -156,7 +156,11 @@ bool draw(const std::filesystem::path& file, const std::string& script, const st
   write_file(std::filesystem::path(file).replace_extension(".dat"), data);
   write_file(script_file, "set terminal " + terminal + "\nset output " +
                               quoted_for_gnuplot(file.filename()) + "\n" + script);
-  return run_gnuplot(script_file);
+  if (!run_gnuplot(script_file)) return false;
+  std::error_code none;
+  if (!(std::filesystem::is_regular_file(file, none) && std::filesystem::file_size(file, none) > 0))
+    throw std::runtime_error("gnuplot has written nothing to " + file.string());
+  return true;
 }
 
 }  // namespace rotor

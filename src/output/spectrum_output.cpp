@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -42,6 +43,14 @@ std::vector<double> samples(const Run& run, const StateColumns& column,
 
 std::string SignalSpectrum::unit() const {
   return (signal.unit.empty() ? std::string("1") : signal.unit + "^2") + "/(cycle/t)";
+}
+
+double SignalSpectrum::reach() const {
+  const std::vector<double>& density = spectrum.density;
+  double rest = 1e-4 * std::accumulate(density.begin(), density.end(), 0.0);
+  std::size_t last = density.size() - 1;
+  while (last > 0 && (rest -= density[last]) >= 0) --last;
+  return std::min(1.25 * spectrum.frequency[last], spectrum.frequency.back());
 }
 
 std::vector<std::string> window_names() { return {"hann", "none", "blackman_harris", "flat_top"}; }
@@ -112,7 +121,8 @@ std::string NamedFrequencies::note() const {
   const std::string count = found.lines.empty() ? "none" : std::to_string(found.lines.size());
   return count + " of the " + std::to_string(asked) +
          " asked for: " + (found.lines.empty() ? "nothing" : "no other") +
-         " stands out, with an amplitude above " + text(found.least_amplitude, 2);
+         " stands out, with an amplitude above " + text(found.least_amplitude, 2) +
+         " and\ntwo cycles over the run from the next and from 0";
 }
 
 std::string table(const NamedFrequencies& of, int digits) {
@@ -145,6 +155,7 @@ std::string table(const NamedFrequencies& of, int digits) {
     const std::string lines = table(header, rows);
     result += "\n" + lines.substr(0, lines.size() - 1);
   }
+  if (!of.basis) result += "\nno names: the period of omega is not known, period = may give it";
   const std::string note = of.note();
   return note.empty() ? result : result + "\n" + note;
 }

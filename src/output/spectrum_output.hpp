@@ -37,6 +37,9 @@ struct SignalSpectrum {
   Spectrum spectrum;
   /// "rad^2/(cycle/t)".
   std::string unit() const;
+  /// A quarter more than the frequency up to which all but a ten-thousandth of the power is; no
+  /// more than there is.
+  double reach() const;
 };
 
 /// "hann", ... and "mean", ..., in the order of Window and Detrend.

@@ -203,7 +203,8 @@ constexpr Entry kMethods[] = {
      "all times), \"modified_gibbs\", \"gibbs\", \"mrp\". method: \"exact\" (default), the "
      "singular "
      "values of the tangent map in closed form; \"qr\", the linearised equation d' = A d of the "
-     "chart, made orthonormal again at each time. Per unit of t.",
+     "chart, made orthonormal on the way: the sums of log R_ii, which come to the same limits but "
+     "differ from the singular values by O(1/t). Per unit of t.",
      ROTOR_RUN ":lyapunov{chart = \"rotation\"}.exponents[1] < 1e-15 --> true"},
     {"average", bound<average_entry>, kAverage,
      "The average over t of a column (of = \"angle\", as run:csv) or of a function of a state, "
@@ -240,7 +241,7 @@ constexpr Entry kFields[] = {
      ".exponents; nan for a single time.",
      ROTOR_LYAPUNOV ".weighted < 1 --> true"},
     {"weighted_error", bound<weighted_error>, "lyapunov.weighted_error -> number",
-     "Its error: the difference between the two halves.",
+     "Its error: how far it and those of the two halves are apart.",
      ROTOR_LYAPUNOV ".weighted_error < 1 --> true"},
     {"isometry", bound<isometry>, "lyapunov.isometry -> number",
      "By how much the distance of two motions, of quaternions or of operators, changes on the way, "
@@ -250,8 +251,8 @@ constexpr Entry kFields[] = {
      "The times at which the chart is singular, to the run's error: no exponents there.",
      "#" ROTOR_LYAPUNOV ".singular --> 0"},
     {"bridged", bound<bridged>, "lyapunov.bridged -> integer",
-     "By \"qr\": how many times the closed form went across, where the chart is singular or nearly "
-     "so.",
+     "How many times, at least, the chart is singular on the way, and the closed form goes across: "
+     "of \"exact\" as far as the times tell, of \"qr\" also where it is nearly so.",
      ROTOR_LYAPUNOV ".bridged --> 0"},
     {"chart", bound<chart>, "lyapunov.chart -> string", "The chart.",
      ROTOR_LYAPUNOV ".chart --> \"euler_vector\""},

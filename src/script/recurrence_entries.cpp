@@ -27,7 +27,7 @@ Results recurrence_entry(lua_State* L) {
   const auto threshold = given.get<double>("threshold");
   const auto rate = given.get<double>("rate");
   if (threshold.has_value() == rate.has_value())
-    throw std::invalid_argument("give threshold or rate, as {threshold = 0.1}");
+    throw std::invalid_argument("give one of threshold and rate, as {threshold = 0.1}");
   RecurrenceOptions options;
   options.theiler = given.get<std::size_t>("theiler").value_or(options.theiler);
   options.least_diagonal = given.get<std::size_t>("lmin").value_or(options.least_diagonal);
@@ -99,26 +99,29 @@ Results csv(lua_State* L) {
 
 std::string text_of_recurrence(const SharedRecurrence& r) {
   const RecurrenceOptions& options = r->matrix.options;
+  const std::optional<double> every = even_spacing(r->times);
   const std::string diagonals = "diagonals of " + std::to_string(options.least_diagonal);
   const std::string verticals = "vertical lines of " + std::to_string(options.least_vertical);
   const auto whole = [](std::size_t n) { return std::to_string(n); };
   const std::vector<std::vector<std::string>> rows = {
-      {"RR", shown(rate(r)), ".rate", "share of the pairs that recur"},
-      {"DET", shown(det(r)), ".det", "in " + diagonals + " or more"},
-      {"L", shown(mean_length(r)), ".mean_length", "mean of their lengths"},
+      {"RR", rotor::text(rate(r), 6), ".rate", "share of the pairs that recur"},
+      {"DET", rotor::text(det(r), 6), ".det", "in " + diagonals + " or more"},
+      {"L", rotor::text(mean_length(r), 6), ".mean_length", "mean of their lengths"},
       {"L_max", whole(max_length(r)), ".max_length", "the longest"},
-      {"DIV", shown(divergence(r)), ".divergence", "1/L_max"},
-      {"ENTR", shown(entropy(r)), ".entropy", "entropy of their lengths, nat"},
-      {"LAM", shown(laminarity(r)), ".laminarity", "in " + verticals + " or more"},
-      {"TT", shown(trapping_time(r)), ".trapping_time", "mean of their lengths"},
+      {"DIV", rotor::text(divergence(r), 6), ".divergence", "1/L_max"},
+      {"ENTR", rotor::text(entropy(r), 6), ".entropy", "entropy of their lengths, nat"},
+      {"LAM", rotor::text(laminarity(r), 6), ".laminarity", "in " + verticals + " or more"},
+      {"TT", rotor::text(trapping_time(r), 6), ".trapping_time", "mean of their lengths"},
       {"V_max", whole(max_vertical(r)), ".max_vertical", "the longest"},
   };
   const std::vector<std::string> header = {"measure", "value", "field",
                                            "meaning (lengths in points)"};
   const std::vector<Align> alignment = {Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft};
-  std::string result = "recurrence  " + whole(points(r)) + " points, t " + shown(r->times.front()) +
-                       " .. " + shown(r->times.back()) + "\n            " + name_of(r->norm) +
-                       " within " + shown(threshold(r)) + ": " + whole(pairs(r)) + " pairs" +
+  std::string result = "recurrence  " + whole(points(r)) + " points, t " +
+                       rotor::text(r->times.front(), 8) + " .. " + rotor::text(r->times.back(), 8) +
+                       (every ? ", every " + rotor::text(*every, 6) : "") + "\n            " +
+                       name_of(r->norm) + " within " + rotor::text(threshold(r), 6) + ": " +
+                       whole(pairs(r)) + " pairs" +
                        (options.theiler > 1 ? ", theiler " + whole(options.theiler) : "") + "\n" +
                        rotor::table(header, rows, alignment);
   result.pop_back();

@@ -63,6 +63,16 @@ Results plot_entry(lua_State* L) {
   return {0};
 }
 
+// From one of the times to the next, by |omega| there.
+double greatest_turn(const Run& run, std::span<const double> times) {
+  double greatest = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    greatest = std::max(greatest, norm(run.propagator().flow->generator(times[i])) *
+                                      std::abs(times[i] - times[i - 1]));
+  }
+  return greatest;
+}
+
 constexpr const char* kAnimate = "run:animate(file, {n=, every=, times=, t=, point=})";
 Results animate_entry(lua_State* L) {
   const SharedRun& run = argument<SharedRun>(L, 1);
@@ -72,6 +82,10 @@ Results animate_entry(lua_State* L) {
   const Vector point = options.get<Vector>("point").value_or(Vector(1, 0, 0));
   if (!(norm(point) > 0 && point.allFinite())) {
     throw std::invalid_argument("point: expected a place other than 0, got " + shown(point));
+  }
+  if (const double turn = greatest_turn(*run, times); turn > 1) {
+    warn(L, "from one frame to the next the body turns by up to " + text(turn, 2) +
+                " rad: t = {from, to} shows a part of the run");
   }
   if (!say_drawn(L, file, animate(*run, times, point, file, watching(run->t0(), run->t1())))) {
     print(L, in_characters(picture(*run, times, columns_of<StateColumns>(L, {"axis"}))));

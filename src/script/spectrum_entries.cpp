@@ -104,10 +104,10 @@ constexpr const char* kPlot = "spectrum:plot{from=, to=, title=, width=, height=
 Results plot_entry(lua_State* L) {
   const auto& s = argument<SignalSpectrum>(L, 1);
   const Options options(L, 2, kPlot);
+  const auto from = options.get<double>("from");
+  const double all = from ? s.spectrum.frequency.back() : s.reach();
   show(L, options,
-       picture(s, options.get<double>("from").value_or(0),
-               options.get<double>("to").value_or(s.spectrum.frequency.back()),
-               look_option(options)));
+       picture(s, from.value_or(0), options.get<double>("to").value_or(all), look_option(options)));
   return {0};
 }
 
@@ -250,8 +250,10 @@ constexpr Entry kSpectrumMethods[] = {
      "parabola through three logarithms.",
      "#" ROTOR_LIST ":peaks(3) --> 1"},
     {"plot", bound<plot_entry>, kPlot,
-     "Draws the density over a logarithmic axis, between two frequencies; all by "
-     "default. file: a picture by gnuplot, as for run:plot.",
+     "Draws the density over a logarithmic axis, between two frequencies: by default from 0 to "
+     "where all but a ten-thousandth of the power is, and a quarter more. file: a picture by "
+     "gnuplot, "
+     "as for run:plot.",
      ROTOR_LIST ":plot{height = 5} --> "},
     {"csv", bound<csv_entry>, "spectrum:csv(file)",
      "Writes frequency and density as CSV, and what they are as FILE.json.",

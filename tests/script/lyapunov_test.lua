@@ -27,7 +27,7 @@ equal(#all.times, 100000)
 equal(all.times[1], 1.0)
 holds(all.exponents[1] > 1e-5, "the finite-time value")
 holds(math.abs(all.weighted) <= 1e-10, "the weighted average of the same samples")
-holds(math.abs(all.weighted) <= all.weighted_error and all.weighted_error <= 1e-9, "its error")
+holds(math.abs(all.weighted) <= all.weighted_error and all.weighted_error <= 1e-8, "its error")
 holds(all.isometry <= 1e-13, "isometry")
 
 local text = tostring(all)
@@ -140,4 +140,23 @@ do
   end
   contains(select(2, pcall(driven.divergence, driven, 11)), "outside the run")
   contains(select(2, pcall(driven.divergence, driven, 1, { chart = "gibs" })), "did you mean 'gibbs'")
+end
+
+-- By QR over jumps of omega, told, in a period, and not told; and through singularities of the chart. The sum of the
+-- exponents is log |det D|/t by either method.
+local jumping = { spin.piecewise { { 1, 0, 0 }, 3.3, { 0, 2, 0.5 } },
+  spin.periodic(2, function(t) return t, 1, -t end),
+  function(t) return t < 3.3 and 1 or 0, t < 3.3 and 0 or 2, t < 3.3 and 0 or 0.5 end }
+for i, omega in ipairs(jumping) do
+  local jumps = evolve { omega = omega, from = rotation({ 1, 1, 1 }, 1), to = 10 }
+  for _, chart in ipairs { "euler_vector", "gibbs", "mrp", "modified_gibbs" } do
+    for _, n in ipairs { 2, 11 } do
+      local exact = jumps:lyapunov { n = n, chart = chart }
+      local by_qr = jumps:lyapunov { n = n, chart = chart, method = "qr" }
+      local function sum(of) return of.exponents[1] + of.exponents[2] + of.exponents[3] end
+      -- Steps may err by 1e-10 each, of which there are fewer than 100; the bridges, of condition 1e4 twice, by 1e-11
+      -- for a run that is known to 1e-15 but for its jumps, and to 1e-10 where they are not told.
+      near(sum(exact), sum(by_qr), 1e-8, "omega " .. i .. ", " .. chart .. ", n = " .. n)
+    end
+  end
 end

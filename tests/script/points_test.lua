@@ -98,7 +98,7 @@ contains(refused("section", { f = print, plane = { 0, 0, 1 } }), "give one of f"
 contains(refused("section", { f = 1 }), "expected a function of a state")
 contains(refused("section", { f = function() end }), "f must return a number, got nil at t = 0.0")
 contains(refused("section", { f = function() error "mine" end }), "mine")
-contains(refused("section", { plane = { 0, 0, 0 } }), "normal of any length but zero")
+contains(refused("section", { plane = { 0, 0, 0 } }), "finite normal other than 0")
 contains(refused("section", { f = print, chart = "mrp" }), "chart belongs to plane")
 contains(refused("section", { plane = { 0, 0, 1 }, chart = "eular_vector" }), "euler_vector")
 contains(refused("section", { plane = { 0, 0, 1 }, n = 1 }), "at least 2, got 1")
@@ -128,3 +128,27 @@ equal(table_read.t[106], 4200)
 near(strobe[106].euler_vector.x, table_read.euler_vector_x_rad[106], 0, "what was written")
 os.remove(file)
 os.remove(file .. ".json")
+
+-- At late times one rounding of t is more than 1e-6 of what f does between two looks: 60 rad of theta/2 have 19 zeros
+-- of cos(theta/2), the k-th at t0 + pi (k - 1/2).
+local late = evolve { omega = { 0, 0, 2 }, t = { 1.7e9, 1.7e9 + 60 } }:section { f = function(s)
+  return s.quaternion.w
+end }
+equal(#late, 19)
+-- t has an ulp of 2.4e-7 there, and so has t - t0 as the closed form takes it.
+for k = 1, 19 do holds(abs(late.times[k] - (1.7e9 + pi*(k - 1/2))) <= 1e-6, "zero " .. k) end
+
+-- Beside a pole, with it between two looks: n . G = tan(theta/2) = -5, n . p = tan(theta/4) = -10, theta = t.
+local spun = evolve { omega = { 1, 0, 0 }, to = 20 }
+for _, case in ipairs { { "gibbs", -5, 2*(pi - atan(5)), 2*pi }, { "mrp", -10, 4*(pi - atan(10)), 4*pi } } do
+  local chart, offset, first, period = table.unpack(case)
+  for _, direction in ipairs { "both", "up" } do
+    local found = spun:section { plane = { 1, 0, 0 }, offset = offset, chart = chart, direction = direction }
+    equal(#found, 1 + (20 - first)//period//1|0, chart)
+    -- Twice an ulp of t = 20.
+    for k = 1, #found do near(first + (k - 1)*period, found.times[k], 8e-15, chart) end
+  end
+  equal(#spun:section { plane = { 1, 0, 0 }, offset = offset, chart = chart, direction = "down" }, 0)
+end
+contains(refused("section", { plane = { 1, 0, 0 }, offset = 0/0 }), "offset: expected a finite number, got nan")
+contains(refused("section", { f = function() return 0/0 end }), "nan at all")

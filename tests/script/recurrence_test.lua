@@ -101,7 +101,7 @@ equal(stop.run.complete, false)
 equal(stop.run:recurrence { threshold = 0.1, n = 30 }.points, 30)
 
 for given, expected in pairs {
-  [{}] = "give threshold or rate", [{ threshold = 1, rate = 0.1 }] = "give threshold or rate",
+  [{}] = "give one of threshold and rate", [{ threshold = 1, rate = 0.1 }] = "give one of threshold and rate",
   [{ threshold = 0 }] = "threshold must be positive and finite, got 0.0", [{ threshold = -1 }] = "got -1.0",
   [{ threshold = 1/0 }] = "got inf", [{ threshold = 0/0 }] = "got nan", [{ rate = 0 }] = "rate must be above 0",
   [{ threshold = 1, n = 1 }] = "two points at least", [{ threshold = 1, every = 100 }] = "two points at least",

@@ -150,3 +150,17 @@ end
 support.contains(foretold(3/4), " = 1/3 drive, commensurate\n")
 support.fits(foretold(3/4))
 holds(not foretold(pi/20):find "commensurate", "T = 40")
+
+-- Two lines nearer than two cycles over the run, and a line as near to 0, cannot be told apart: none is listed. Where
+-- omega is constant a line needs an error that is small beside f_F to have its name.
+local slow = evolve { omega = { 0.3, 0.2, 1 }, from = rotation({ 1, 0, 0 }, 1), to = 10 }
+slow = slow:frequencies(5, { of = "angle" })
+equal(#slow, 0)
+support.contains(tostring(slow), "two cycles over the run")
+equal(#evolve { omega = { 0, 0, 1 }, to = 10 }:frequencies(2, { of = "euler_vector_z" }), 0)
+-- At late times the rounding of t is in f_F.
+local late = evolve { omega = spin.turning { vector = { 1, 0, 0 }, about = { 0, 0, 1 }, rate = 0.75 },
+  from = rotation({ 1, 1, 1 }, 1), t = { 1e6, 1e6 + 400 } }:frequencies(2, { of = "quaternion_w" })
+equal(late[1].name, "f_F")
+support.contains(select(2, pcall(run.frequencies, run, 1, { of = "angle", period = 17 })),
+  "does not repeat with the period")
