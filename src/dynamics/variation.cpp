@@ -78,6 +78,32 @@ constexpr double kNearest = 1e-2;
 // A jump's coefficients fall as n^-1/2, a bend's as n^-3/2: by 0.9 and 0.8 from 8, 9 to 10, 11.
 constexpr double kSmooth = 0.25;
 
+// What a step may err by, of d.
+constexpr double kAllowed = 1e-10;
+
+using Values = std::array<Matrix, kStages>;
+
+// Of the series through values at the nodes: coefficients 8 and 9, 10 and 11.
+struct Tail {
+  double before = 0;
+  double last = 0;
+
+  explicit Tail(const Values& values) {
+    std::array<double, 4> squares{};
+    for (Eigen::Index n = 0; n < 4; ++n) {
+      Matrix sum = Matrix::Zero();
+      for (Eigen::Index j = 0; j < kStages; ++j)
+        sum += gauss().tail(n, j) * values[static_cast<std::size_t>(j)];
+      squares[static_cast<std::size_t>(n)] = sum.squaredNorm();
+    }
+    before = std::sqrt(squares[0] + squares[1]);
+    last = std::sqrt(squares[2] + squares[3]);
+  }
+  double ratio() const { return last == 0 ? 0 : last / before; }
+  // What the values may be off by between the nodes, if they are not smooth; else 0.
+  double roughness() const { return ratio() < kSmooth ? 0 : std::max(last, before); }
+};
+
 }  // namespace
 
 // From d to moved d; with A at the end.
@@ -113,40 +139,40 @@ Matrix Variation::rate(double t, const State& state) const {
 Variation::Step Variation::step(double t, double h, const Matrix& rate_at_t) const {
   const Collocation& method = gauss();
   Step result;
-  Eigen::Matrix<double, 3 * kStages, 3 * kStages> system;
-  std::array<Matrix, kStages> rates;
+  Values rates;
   for (Eigen::Index j = 0; j < kStages; ++j) {
     const double at = t + method.nodes(j) * h;
     const State state = chart_state(run_, at, chart_);
     if (!passable(state)) return result;
-    Matrix& scaled = rates[static_cast<std::size_t>(j)];
-    scaled = h * rate(at, state);
-    for (Eigen::Index i = 0; i < kStages; ++i)
-      system.block<3, 3>(3 * i, 3 * j) = -method.integrals(i, j) * scaled;
+    rates[static_cast<std::size_t>(j)] = h * rate(at, state);
   }
   result.passable = true;
+  result.error = Tail(rates).roughness();
+  if (result.error > kAllowed) return result;  // for less work
+  Eigen::Matrix<double, 3 * kStages, 3 * kStages> system;
+  for (Eigen::Index j = 0; j < kStages; ++j) {
+    for (Eigen::Index i = 0; i < kStages; ++i)
+      system.block<3, 3>(3 * i, 3 * j) =
+          -method.integrals(i, j) * rates[static_cast<std::size_t>(j)];
+  }
   system.diagonal().array() += 1;
   const Blocks x = system.partialPivLu().solve(Matrix::Identity().replicate<kStages, 1>());
-  std::array<Matrix, 4> tail;
-  tail.fill(Matrix::Zero());
   result.rate_at_end = rate(t + h, chart_state(run_, t + h, chart_));
   Matrix miss_at_start = -h * rate_at_t;
   Matrix miss_at_end = -h * result.rate_at_end;
+  Values slopes;
   for (Eigen::Index j = 0; j < kStages; ++j) {
-    const Matrix slope = rates[static_cast<std::size_t>(j)] * x.block<3, 3>(3 * j, 0);
+    const Matrix& rate = rates[static_cast<std::size_t>(j)];
+    Matrix& slope = slopes[static_cast<std::size_t>(j)];
+    slope = rate * x.block<3, 3>(3 * j, 0);
     result.moved += method.weights(j) * slope;
-    miss_at_start += method.ends(0, j) * rates[static_cast<std::size_t>(j)];
-    miss_at_end += method.ends(1, j) * rates[static_cast<std::size_t>(j)];
-    for (Eigen::Index n = 0; n < 4; ++n)
-      tail[static_cast<std::size_t>(n)] += method.tail(n, j) * slope;
+    miss_at_start += method.ends(0, j) * rate;
+    miss_at_end += method.ends(1, j) * rate;
   }
-  const double before = std::sqrt(tail[0].squaredNorm() + tail[1].squaredNorm());
-  const double last = std::sqrt(tail[2].squaredNorm() + tail[3].squaredNorm());
-  const double ratio = last == 0 ? 0 : last / before;
-  result.error =
-      ratio < kSmooth ? last * last * ratio * std::sqrt(ratio) / (46 * 25) : std::max(last, before);
+  const Tail tail(slopes);
+  const double smooth = tail.last * tail.last * std::pow(tail.ratio(), 1.5) / (46 * 25);
   const double miss = std::max(miss_at_start.norm(), miss_at_end.norm());
-  if (miss > 2 * last) result.error = std::max(result.error, miss);
+  result.error = std::max({smooth, tail.roughness(), miss > 2 * tail.last ? miss : 0});
   return result;
 }
 
@@ -161,7 +187,6 @@ double Variation::end_of_bridge(double t, double t_end) const {
 }
 
 void Variation::follow(double t, double t_end, Matrix& d, Vector& logs) {
-  constexpr double kAllowed = 1e-10;
   // Near a singularity steps shrink one after the other: of those that aim at all that is allowed a
   // third fails.
   constexpr double kCaution = 0.9;

@@ -44,12 +44,10 @@ class TurningFlow final : public Flow {
   Quaternion at(double t) const override {
     if (v_.isZero(0)) return Quaternion::Identity();
     const ExtendedQuaternion own = turn(own_axis_, own_rate_ * (Extended{t} - Extended{t0_}));
-    return (turn_by_product(about_, rate_, t) * own * back_).cast<double>();
+    return (frame_at(t) * own * back_).cast<double>();
   }
 
-  Vector generator(double t) const override {
-    return (turn_by_product(about_, rate_, t) * v_).cast<double>();
-  }
+  Vector generator(double t) const override { return (frame_at(t) * v_).cast<double>(); }
 
   // The turning of the frame is part of the motion: it too is followed.
   std::vector<double> mesh() const override {
@@ -127,6 +125,15 @@ class TurningFlow final : public Flow {
     return spans;
   }
 
+  // R(t). U and its generator are often asked for one after the other.
+  ExtendedQuaternion frame_at(double t) const {
+    if (t != frame_t_) {
+      frame_ = turn_by_product(about_, rate_, t);
+      frame_t_ = t;
+    }
+    return frame_;
+  }
+
   static ExtendedQuaternion pure(const ExtendedVector& v) { return {0, v.x(), v.y(), v.z()}; }
 
   ExtendedVector v_;      // the generator at t = 0
@@ -137,6 +144,8 @@ class TurningFlow final : public Flow {
   ExtendedQuaternion back_;                           // R(t0)*
   ExtendedVector own_axis_ = ExtendedVector::Zero();  // p/|p|
   Extended own_rate_ = 0;
+  mutable double frame_t_ = std::numeric_limits<double>::quiet_NaN();
+  mutable ExtendedQuaternion frame_;  // R there
 };
 
 }  // namespace
