@@ -12,6 +12,7 @@
 #include "integrate/control.hpp"
 #include "integrate/fgl_tables.hpp"
 #include "integrate/loop.hpp"
+#include "spin/models.hpp"
 
 namespace rotor {
 namespace {
@@ -104,6 +105,22 @@ struct Tail {
   double roughness() const { return ratio() < kSmooth ? 0 : std::max(last, before); }
 };
 
+// Where steps end: omega may jump or bend beside a step's ends, where it has no nodes. The flow has
+// found the places, and is followed in short stretches there; those of closed forms are known.
+std::vector<double> stops(const Run& run) {
+  const AngularVelocity& omega = run.driver();
+  if (omega.as<ConstantSpin>() != nullptr || omega.as<TurningSpin>() != nullptr) return {};
+  std::vector<double> times = run.propagator().flow->mesh();
+  const auto breaks = omega.breaks(std::min(run.t0(), run.t1()), std::max(run.t0(), run.t1()));
+  times.insert(times.end(), breaks.begin(), breaks.end());
+  if (run.t1() >= run.t0()) {
+    std::sort(times.begin(), times.end());
+  } else {
+    std::sort(times.begin(), times.end(), std::greater<>());
+  }
+  return times;
+}
+
 }  // namespace
 
 // From d to moved d; with A at the end.
@@ -115,7 +132,7 @@ struct Variation::Step {
 };
 
 Variation::Variation(const Run& run, Chart chart, double first_step, Bridge bridge)
-    : run_(run), chart_(chart), h_(first_step), bridge_(std::move(bridge)) {}
+    : run_(run), chart_(chart), h_(first_step), bridge_(std::move(bridge)), stops_(stops(run)) {}
 
 bool Variation::passable(const State& state) const {
   return part_of_chart(chart_, state) == part_ &&
@@ -223,14 +240,18 @@ void Variation::follow(double t, double t_end, Matrix& d, Vector& logs) {
 }
 
 void Variation::advance(double t, double t_end, Matrix& d, Vector& logs) {
-  std::vector<double> stops = run_.driver().breaks(std::min(t, t_end), std::max(t, t_end));
-  if (t_end < t) std::reverse(stops.begin(), stops.end());
-  stops.push_back(t_end);
-  for (const double stop : stops) {
-    if (stop == t) continue;
+  const double forward = t_end > t ? 1 : -1;
+  const auto ahead = [forward](double a, double b) { return forward * (b - a) > 0; };
+  for (; next_stop_ < stops_.size() && ahead(stops_[next_stop_], t_end); ++next_stop_) {
+    const double stop = stops_[next_stop_];
+    // Nearly singular places are bridged.
+    if (!ahead(t, stop) ||
+        distance_from_singularity(chart_, chart_state(run_, stop, chart_)) <= 2 * kNearest)
+      continue;
     follow(t, stop, d, logs);
     t = stop;
   }
+  follow(t, t_end, d, logs);
 }
 
 }  // namespace rotor

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "dynamics/tangent.hpp"
 #include "motion/run.hpp"
@@ -19,9 +20,9 @@ class Variation {
 
   Variation(const Run& run, Chart chart, double first_step, Bridge bridge);
 
-  /// Follows the columns of d, orthonormal, from t to t_end, makes them orthonormal again on the
-  /// way, and adds to logs those of the lengths (see orthonormalise). The chart is not singular at
-  /// either time.
+  /// From where the last call ended: follows the columns of d, orthonormal, from t to t_end, makes
+  /// them orthonormal again on the way, and adds to logs those of the lengths (see orthonormalise).
+  /// The chart is not singular at either time.
   void advance(double t, double t_end, Matrix& d, Vector& logs);
   /// How many stretches were bridged.
   std::size_t bridged() const { return bridged_; }
@@ -38,6 +39,8 @@ class Variation {
   Chart chart_;
   double h_;
   Bridge bridge_;
+  std::vector<double> stops_;  // in the order of the motion
+  std::size_t next_stop_ = 0;
   double part_ = 0;  // of the chart
   std::size_t bridged_ = 0;
 };

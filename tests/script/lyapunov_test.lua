@@ -141,13 +141,16 @@ do
   contains(select(2, pcall(driven.divergence, driven, 1, { chart = "gibs" })), "did you mean 'gibbs'")
 end
 
--- By QR over jumps of omega, told, in a period, and not told; and through singularities of the chart. The sum of the
--- exponents is log |det D|/t by either method.
-local jumping = { spin.piecewise { { 1, 0, 0 }, 3.3, { 0, 2, 0.5 } },
+-- By QR over jumps of omega, told, in a period, and not told, and a bend; and through singularities of the chart. The
+-- sum of the exponents is log |det D|/t by either method.
+local jumping = { spin.piecewise { { 1, 0, 0 }, pi - 1, { 1, 2, 0.5 } },
+  spin.piecewise { { 1, 0, 0 }, 3.3, { 0, 2, 0.5 } },
   spin.periodic(2, function(t) return t, 1, -t end),
-  function(t) return t < 3.3 and 1 or 0, t < 3.3 and 0 or 2, t < 3.3 and 0 or 0.5 end }
+  function(t) return t < 3.3 and 1 or 0, t < 3.3 and 0 or 2, t < 3.3 and 0 or 0.5 end,
+  function(t) return abs(t - 3.3), 1, 0.5 end }
 for i, omega in ipairs(jumping) do
-  local jumps = evolve { omega = omega, from = rotation({ 1, 1, 1 }, 1), to = 10 }
+  -- The first jumps where theta is pi, and M0 = 0.
+  local jumps = evolve { omega = omega, from = rotation(i == 1 and { 1, 0, 0 } or { 1, 1, 1 }, 1), to = 10 }
   for _, chart in ipairs { "euler_vector", "gibbs", "mrp", "modified_gibbs" } do
     for _, n in ipairs { 2, 11 } do
       local exact = jumps:lyapunov { n = n, chart = chart }
