@@ -56,6 +56,44 @@ std::optional<double> zero_between(const std::function<double(double)>& f, Sampl
   return std::abs(a.f) < std::abs(b.f) ? a.t : b.t;
 }
 
+// Where f of one sign is nearest to zero at the middle of three samples, it may be beyond between
+// them: a sample there, found by parabolas, and its neighbours of the other sign; nothing where the
+// parabola stays away from zero.
+struct Dip {
+  Sample before;
+  Sample beyond;
+  Sample after;
+};
+std::optional<Dip> dip_between(const std::function<double(double)>& f, Sample a, Sample b,
+                               Sample c) {
+  constexpr int kMost = 20;
+  const double sign = b.f > 0 ? 1 : -1;
+  const double rounding = 16 * kEpsilon * std::max(std::abs(a.f), std::abs(c.f));
+  for (int count = 0; count < kMost; ++count) {
+    const double left = (b.f - a.f) / (b.t - a.t);
+    const double right = (c.f - b.f) / (c.t - b.t);
+    const double bend = (right - left) / (c.t - a.t);
+    // Newton's form at b has the slope left + bend (b - a).
+    const double slope = left + bend * (b.t - a.t);
+    const double lowest = b.f - slope * slope / (4 * bend);
+    if (!(sign * lowest < sign * b.f / 4)) return std::nullopt;
+    const Sample at{b.t - slope / (2 * bend), 0};
+    if (at.t == b.t || !((at.t > a.t) == (c.t > a.t) && (at.t < c.t) == (c.t > a.t)))
+      return std::nullopt;
+    const Sample x{at.t, f(at.t)};
+    if (std::isnan(x.f)) return std::nullopt;
+    const bool first = (x.t < b.t) == (c.t > a.t);
+    if (sign * x.f < -rounding) return Dip{first ? a : b, x, first ? b : c};
+    if (sign * x.f < sign * b.f) {
+      (first ? c : a) = b;
+      b = x;
+    } else {
+      (first ? a : c) = x;
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<double> times_to_look(const Run& run, const std::optional<std::size_t>& n) {
   if (n) {
     if (*n < 2) throw std::invalid_argument("n must be at least 2, got " + std::to_string(*n));
@@ -87,15 +125,23 @@ std::vector<double> section(const Run& run, const std::function<double(double)>&
     if (direction == Direction::kBoth || (direction == Direction::kUp) == (rises == (sign > 0)))
       zeros.push_back(zero);
   };
-  Sample last{times.front(), std::numeric_limits<double>::quiet_NaN()};
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  Sample last{times.front(), kNan};
+  Sample before = last;
   visit_times(times, observer, [&](double t) {
     const Sample now{t, f(t)};
     known = known || !std::isnan(now.f);
     if (now.f == 0) return;  // it comes through where it is on the other side
     if ((last.f < 0 && now.f > 0) || (last.f > 0 && now.f < 0)) {
       if (const auto zero = zero_between(f, last, now)) add(*zero, now.f > 0);
+    } else if (before.f * last.f > 0 && last.f * now.f > 0 &&
+               std::abs(last.f) <= std::min(std::abs(before.f), std::abs(now.f))) {
+      if (const auto dip = dip_between(f, before, last, now)) {
+        if (const auto zero = zero_between(f, dip->before, dip->beyond)) add(*zero, last.f < 0);
+        if (const auto zero = zero_between(f, dip->beyond, dip->after)) add(*zero, last.f > 0);
+      }
     }
-    last = now;
+    before = std::exchange(last, now);
   });
   if (!known) {
     throw std::invalid_argument("the function is nan at all " + std::to_string(times.size()) +

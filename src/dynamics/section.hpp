@@ -14,8 +14,9 @@ enum class Direction { kBoth, kUp, kDown };
 
 /// The times at which f(t) comes through zero, in the order of the motion, upward or downward in
 /// that order: each to the rounding of t and of f. f is looked at `n` times from t0 to t1, evenly,
-/// or else so often that the body turns by less than 0.8 rad in between: a zero that f touches
-/// only, or starts or ends on, and two between which it is not looked at, are not seen. Where f
+/// or else so often that the body turns by less than 0.8 rad in between, and where it comes near to
+/// zero and goes back. A zero that f touches only, or starts or ends on, is not seen, nor are two
+/// that three looks give no sign of. Where f
 /// jumps over zero there is none, and where it is NaN. Throws std::invalid_argument for n < 2, and
 /// where f is NaN wherever it is looked at; std::length_error where the motion is too long to be
 /// looked through. With `below` it is of f/below, which may have poles where f is regular: what is

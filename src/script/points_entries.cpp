@@ -321,9 +321,8 @@ constexpr Entry kMethods[] = {
      "of f, a function of a state, or of plane . X - offset, plane a normal and X the "
      "\"euler_vector\" (default), \"modified_gibbs\", \"gibbs\" or \"mrp\" (chart=). direction: "
      "\"up\", \"down\" or \"both\" (default), as the motion goes. It is looked at n times, or so "
-     "often that the body turns by less than 0.8 rad in between: where the surface is only "
-     "touched, "
-     "or passed twice between two looks, is not seen.",
+     "often that the body turns by less than 0.8 rad in between, and where it comes near to the "
+     "surface and goes back: where it only touches it, nothing is seen.",
      "evolve{omega = {0, 0, 1}, to = 10}:section{f = function(s) return s.angle - 2 end}.times[1] "
      "--> 2.0"},
 };

@@ -82,6 +82,33 @@ TEST_CASE("steep and flat zeros are found to the rounding of f") {
   }
 }
 
+TEST_CASE("two zeros between two looks are found where f comes near and goes back") {
+  const Run run = turn(0, 10);  // looked at every 0.6 or so
+  for (const double depth : {1e-9, 1e-4, 1e-2}) {
+    for (const double middle : {3.3, 5.0, 7.123}) {
+      CAPTURE(depth, middle);
+      const auto dip = [=](double t) {
+        const double s = std::sin((t - middle) / 4);
+        return 16 * s * s - depth;
+      };
+      // f is rounded by some 1e-16 of (t - middle)^2 and depth, its slope is 2 sqrt(depth).
+      const double half = 4 * std::asin(std::sqrt(depth) / 4);
+      const double known = 4e-15 + 1e-15 * depth / std::sqrt(depth);
+      const auto both = section(run, dip, Direction::kBoth);
+      REQUIRE(both.size() == 2);
+      CHECK(std::abs(both[0] - (middle - half)) <= known);
+      CHECK(std::abs(both[1] - (middle + half)) <= known);
+      CHECK(section(run, dip, Direction::kDown) == std::vector{both[0]});
+      CHECK(section(run, dip, Direction::kUp) == std::vector{both[1]});
+      const auto hill = [=](double t) { return -dip(t); };
+      CHECK(section(run, hill, Direction::kUp) == std::vector{both[0]});
+      CHECK(section(
+                run, [=](double t) { return dip(t) + 2 * depth; }, Direction::kBoth)
+                .empty());
+    }
+  }
+}
+
 TEST_CASE("as many looks as are asked for") {
   const auto fast = [](double t) { return std::sin(200 * t + 0.1); };
   const Run run = turn(0, 1);
