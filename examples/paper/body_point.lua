@@ -6,7 +6,7 @@
 --   B_x has the lines alpha/(2 pi), (Omega -+ alpha)/(2 pi), of amplitudes |s|/Omega, p (1 +- alpha/Omega)/2.
 -- Both frequencies beside the drive are twice those of E, f_F and f_F + 1/T, less or more a drive.
 --
---   rotor examples/paper/body_point.lua body_point.csv   also writes t, B, omega and n, the axis, until
+--   rotor examples/paper/body_point.lua [body_point.csv]   writes t, B, omega and n, the axis, until
 --                                                        t = 400 to that file
 
 local alpha = 2*pi/40
@@ -44,13 +44,15 @@ local density = run:spectrum { of = "matrix_11" }
 density:plot { to = 0.3, title = "B_x", height = 14 }
 local lines = run:frequencies(3, { of = "matrix_11" })
 
-if arg[1] then
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "body_point.csv"
+if csv then
   local data = { t = {}, B = {}, omega = {}, axis = {} }
   for i = 1, 4001 do
     local state = run((i - 1)/10)
     data.t[i], data.B[i], data.omega[i], data.axis[i] = state.t, body_point(state), state.omega, state.axis
   end
-  write_csv(arg[1], data, { columns = { "t", "B", "omega", "axis" } })
+  write_csv(csv, data, { columns = { "t", "B", "omega", "axis" } })
 end
 
 local named = {
@@ -107,6 +109,3 @@ theorem("B_x has three lines, and no others", function()
   end)
   near(3, #run:frequencies(6, { of = "matrix_11" }), 0, "how many stand out")
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/body_point.lua body_point.csv" end

@@ -4,7 +4,7 @@
 -- of i and j + k, tilted by 45 degrees; n is turned by atan2(sqrt(2) sin(t/2), cos(t/2)) from i in it, at the speed
 -- 1/sqrt(2) at +-i, half of that where it is highest and lowest.
 --
---   rotor examples/paper/figure1.lua figure1.csv     also writes n and B to that file
+--   rotor examples/paper/figure1.lua [figure1.csv]     writes n and B to that file
 --
 -- theta and E of the same motion are Figure 2, figure2.lua; its closed form is checked in spinor.lua.
 
@@ -65,13 +65,15 @@ for _, row in ipairs {
   print(("%-30s %-16s %14.10g %14.10g"):format(table.unpack(row)))
 end
 print "paper: the example of section 4; -: no number in the text\n"
-if arg[1] then
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure1.csv"
+if csv then
   local data = { t = {}, n = {}, B = {} }
   for step = 0, 480 do
     local t = step*pi/120
     data.t[step + 1], data.n[step + 1], data.B[step + 1] = t, n(t), b(t)
   end
-  write_csv(arg[1], data, { columns = { "t", "n", "B" } })
+  write_csv(csv, data, { columns = { "t", "n", "B" } })
 end
 
 theorem("Figure 1: n and B at 0, pi, 2 pi, 4 pi", function()
@@ -104,6 +106,3 @@ theorem("Figure 1: the plane of n is tilted by 45 degrees, and how n goes round 
     near(case[2], norm(run(case[1]).axis_rate), 2*known, "the speed of n at " .. case[1]/pi .. " pi")
   end)
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure1.lua figure1.csv" end

@@ -7,7 +7,7 @@
 -- is a function of the two angles alpha t/2 and Omega t/2, its lines are at whole numbers of f_F and 1/T, and its
 -- Fourier coefficients their amplitudes. In E_x, for T = pi, that at 2 f_F is stronger than that at 0.337.
 --
---   rotor examples/paper/figure10.lua figure10.csv   also writes the density of E_x for T = 40 to that file, for T = pi
+--   rotor examples/paper/figure10.lua [figure10.csv]   writes the density of E_x for T = 40 to that file, for T = pi
 --                                                    to figure10_pi.csv
 
 local e0, last = vec(1, 1, 1)/sqrt(3), 4200
@@ -25,9 +25,11 @@ for _, scene in ipairs(scenes) do
   scene.lines = scene.run:frequencies(6, { of = "euler_vector_x" })
   scene.spectrum:plot { to = scene.to, title = "Figure 10: E_x, " .. scene.name, height = 14 }
 end
-if arg[1] then
-  scenes[1].spectrum:csv(arg[1])
-  scenes[2].spectrum:csv((arg[1]:gsub("%.csv$", "")) .. "_pi.csv")
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure10.csv"
+if csv then
+  scenes[1].spectrum:csv(csv)
+  scenes[2].spectrum:csv((csv:gsub("%.csv$", "")) .. "_pi.csv")
 end
 
 -- j/T + k f_F = ((2 j - k) alpha + k Omega)/(4 pi), of the lines that are to be the strongest, and their names.
@@ -139,6 +141,3 @@ theorem("Figure 10: the peaks of the density are these lines", function()
     end
   end)
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure10.lua figure10.csv" end

@@ -6,7 +6,7 @@
 -- minimum below the threshold and c > 0. Corrected: at 0.1, until 2400, these are the multiples of 720.02, equally
 -- spaced; at 0.3 there are unequal ones. (At 0.1 the first of those are at 2439.4, where D is 0.097.)
 --
---   rotor examples/paper/figure11.lua figure11.csv   also writes the recurrent pairs for 0.1 to that file, for 0.3 to
+--   rotor examples/paper/figure11.lua [figure11.csv]   writes the recurrent pairs for 0.1 to that file, for 0.3 to
 --                                                    figure11_0.3.csv
 
 local alpha = 2*pi/40
@@ -49,9 +49,11 @@ for _, threshold in ipairs { 0.1, 0.3 } do
   plots[#plots + 1] = { threshold = threshold, found = recurrence, lags = recurrence:lags(),
     expected = expected(threshold) }
 end
-if arg[1] then
-  plots[1].found:csv(arg[1])
-  plots[2].found:csv((arg[1]:gsub("%.csv$", "")) .. "_0.3.csv")
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure11.csv"
+if csv then
+  plots[1].found:csv(csv)
+  plots[2].found:csv((csv:gsub("%.csv$", "")) .. "_0.3.csv")
 end
 
 local measures = { "pairs", "rate", "det", "mean_length", "max_length", "entropy", "divergence", "laminarity",
@@ -184,6 +186,3 @@ theorem("Figure 11: between attitudes the lines are whole", function()
       near(plots[1].expected[1]/2*i, line.lag, every + 0.01*i, "its lag: also where c < 0")
     end)
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure11.lua figure11.csv" end

@@ -2,7 +2,7 @@
 -- |E| = theta and two components of E over t, "demonstrating the periodicity". As printed: E has the period 4 pi, twice
 -- that of the body. theta goes between pi/2 and 3 pi/2, and is greater on one side of the plane than on the other.
 --
---   rotor examples/paper/figure2.lua figure2.csv     also writes theta, n and E to that file
+--   rotor examples/paper/figure2.lua [figure2.csv]     writes theta, n and E to that file
 
 local run = evolve { omega = function() return 0, 0, 1 end, from = rotation({ 1, 0, 0 }, pi/2), to = 12.5*pi,
   accuracy = 1e-12 }
@@ -33,7 +33,9 @@ for _, row in ipairs {
   print(("%-30s %-16s %14.10g %14.10g"):format(table.unpack(row)))
 end
 print "paper: the example of section 4\n"
-if arg[1] then run:csv(arg[1], { every = pi/100, columns = { "t", "angle", "axis", "euler_vector" } }) end
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure2.csv"
+if csv then run:csv(csv, { every = pi/100, columns = { "t", "angle", "axis", "euler_vector" } }) end
 
 theorem("Figure 2: the period is 4 pi, that of the body 2 pi", function()
   local once, twice = run:strobe(2*pi), run:strobe(4*pi)
@@ -85,6 +87,3 @@ theorem("Figure 2: the heights of the curves", function()
   near(predicted, up, (pi/200)^2/2 + known_e, "the greatest E_y of the points")
   holds(top.t > pi, "after pi")
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure2.lua figure2.csv" end

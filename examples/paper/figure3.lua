@@ -7,7 +7,7 @@
 -- points go on along it by Omega/(2 alpha) + 1/2 turns, and clump by the three-gap theorem. The rest is two circles,
 -- of k and of a: a torus. On it theta and the angle of n with k have least values, the one twice the other.
 --
---   rotor examples/paper/figure3.lua figure3.csv   also writes E and n there; the strobes to figure3_b, figure3_c
+--   rotor examples/paper/figure3.lua [figure3.csv]   writes E and n there; the strobes to figure3_b, figure3_c
 
 local T = 40
 local alpha = 2*pi/T
@@ -97,8 +97,10 @@ print "\nFigure 3c: E at 0, T ... 1050 T\n"
 strobe:plot("euler_vector_x", "euler_vector_y", { height = 14 })
 print "\nFigure 3d: n to t = 4200, from the side; empty round k and -k\n"
 trajectory:plot("axis_x", "axis_z", { height = 16 })
-if arg[1] then
-  local name = arg[1]:gsub("%.csv$", "")
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure3.csv"
+if csv then
+  local name = csv:gsub("%.csv$", "")
   short:csv(name .. ".csv", { every = 0.1, columns = { "t", "euler_vector", "axis" } })
   few:csv(name .. "_b.csv", { columns = { "t", "euler_vector" } })
   strobe:csv(name .. "_c.csv", { columns = { "t", "euler_vector" } })
@@ -202,6 +204,3 @@ theorem("Figures 3a, 3d: a torus, and n keeps half of the least theta away from 
   near(0.706988, least_angle, 5e-7, "the least theta, of 50 digits")
   near(5.576197, 2*pi - least_angle, 5e-7, "the greatest, of 50 digits")
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure3.lua figure3.csv" end

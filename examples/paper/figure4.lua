@@ -6,7 +6,7 @@
 -- that direction, by gamma with tan gamma = tan(d/2)/sin(theta/2). That theta stays, and all other points of the body
 -- go along ("We omit showing that"), is short of the finite rotation by d^2 |cot(theta/2)|/4.
 --
---   rotor examples/paper/figure4.lua figure4.csv     also writes to that file r on its arc, about the tilted axis
+--   rotor examples/paper/figure4.lua [figure4.csv]     writes to that file r on its arc, about the tilted axis
 
 local function dn_of(n, u, theta, d)
   return d/(2*sin(theta/2))*(cos(theta/2)*u + sin(theta/2)*cross(u, n))
@@ -35,10 +35,12 @@ for i = 1, 40 do steps[i] = { places[i], places[i + 1] } end
 print "\nFigure 4a: the same on the sphere for |omega| dt = 0.6\n"
 draw_sphere { points = { ["r = n"] = n, ["n~"] = tilted, ["r''"] = places[41], omega = u }, arcs = steps,
   from = { 1, -1.5, 2 }, width = 50 }
-if arg[1] then
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure4.csv"
+if csv then
   local data = { angle = {}, r = places, axis = {} }
   for i = 0, 40 do data.angle[i + 1], data.axis[i + 1] = turned.angle*i/40, tilted end
-  write_csv(arg[1], data, { columns = { "angle", "r", "axis" } })
+  write_csv(csv, data, { columns = { "angle", "r", "axis" } })
 end
 
 print "\nFor d = |omega| dt the paper's |dn| (a formula, no numbers), d/(2 sin(theta/2)),"
@@ -101,6 +103,3 @@ theorem("for all points of the body: theta about n + dn is off by d^2 |cot(theta
     near(abs(1/tan(angle/2))/4, off/h^2, h/12 + h^2 + 1e-15/h^2, "over d^2")
   end)
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure4.lua figure4.csv" end

@@ -5,7 +5,7 @@
 -- tan b = 1/sqrt(12). More than that: p = M/m, so that the ellipse is that of the modified Gibbs vector M; and p sweeps
 -- out equal areas in equal times, by which |n'| = 1/(2 m |p|^2).
 --
---   rotor examples/paper/figure5.lua figure5.csv     also writes n and p along e1 and e2 to that file
+--   rotor examples/paper/figure5.lua [figure5.csv]     writes n and p along e1 and e2 to that file
 
 local omega, n0, theta0 = vec(0, 0, 1), vec(sqrt(3)/2, 0, 1/2), pi/3
 local m, a, b = sqrt(3)/4, sqrt(13)/4, atan(1/sqrt(12))
@@ -52,7 +52,9 @@ print ""
 local times, speeds = {}, {}
 for i = 0, 400 do times[i + 1], speeds[i + 1] = i*pi/50, speed(run(i*pi/50)) end
 plot(times, speeds, { title = "|n'|: fastest at e1 and -e1, slowest at e2 and -e2", x_label = "t", height = 10 })
-if arg[1] then
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure5.csv"
+if csv then
   local data = { t = {}, n1 = {}, n2 = {}, p1 = {}, p2 = {} }
   for i = 0, 480 do
     local state = run(i*pi/120)
@@ -60,7 +62,7 @@ if arg[1] then
     data.t[i + 1], data.n1[i + 1], data.n2[i + 1] = state.t, dot(state.axis, e1), dot(state.axis, e2)
     data.p1[i + 1], data.p2[i + 1] = dot(point, e1), dot(point, e2)
   end
-  write_csv(arg[1], data, { columns = { "t", "n1", "n2", "p1", "p2" } })
+  write_csv(csv, data, { columns = { "t", "n1", "n2", "p1", "p2" } })
 end
 local minor, major = p(run(2*pi - 2*b)), p(run(pi - 2*b))
 print ""
@@ -123,6 +125,3 @@ theorem("Figure 5: n is fastest at e1 and -e1, slowest at e2 and -e2", function(
     near(1/(2*m), speed(state)*dot(p(state), p(state)), known_speed/m^2 + known_p/m, "|n'| |p|^2: equal areas")
   end)
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure5.lua figure5.csv" end

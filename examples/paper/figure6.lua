@@ -5,7 +5,7 @@
 -- Printed is also that [P7] integrated straight on goes through 2 pi "with no difficulty [...] as long as t1 exactly is
 -- not a node". Corrected: the nearer a node comes to t1, the worse is what follows; 1e-6 away all is lost.
 --
---   rotor examples/paper/figure6.lua figure6.csv     also writes theta*, n* and E* to that file
+--   rotor examples/paper/figure6.lua [figure6.csv]     writes theta*, n* and E* to that file
 
 local first = evolve { omega = function(t) return 1, t, 0 end, to = 1, accuracy = 1e-12 }
 local theta1, n1 = first(1).angle, first(1).axis
@@ -27,7 +27,9 @@ end
 local shown = {}
 for i = 0, 300 do shown[i + 1] = i/20 end
 run:plot("angle", { times = shown, title = "Figure 6: theta*", height = 14 })
-if arg[1] then run:csv(arg[1], { every = 0.01, columns = { "t", "angle", "axis", "euler_vector" } }) end
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure6.csv"
+if csv then run:csv(csv, { every = 0.01, columns = { "t", "angle", "axis", "euler_vector" } }) end
 
 local crossing = run.crossings[1]
 local peaks = run:section { f = function(s) return s.angle_rate end, direction = "down" }
@@ -137,6 +139,3 @@ theorem("with an error estimate to keep, [P7] does not go through, and says so",
   near(1, stopped.t, 1e-5, "there")
   near(run(stopped.t).rotation, stopped.run(stopped.t).rotation, stopped.run:certify().bound + known, "the rotation")
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure6.lua figure6.csv" end

@@ -8,7 +8,7 @@
 -- so that |E| = theta comes ever nearer to 2 acos(A + B), and to 2 pi less that: f2/f1 is rational only where alpha^2
 -- is, and here it is pi^2/400.
 --
---   rotor examples/paper/figure7.lua figure7.csv     also writes |E| and E to that file
+--   rotor examples/paper/figure7.lua [figure7.csv]     writes |E| and E to that file
 
 local alpha = 2*pi/40
 local e0, last = vec(1, 1, 1)/sqrt(3), 4200
@@ -55,7 +55,9 @@ for _, case in ipairs { { "7a", 200 }, { "7b", last } } do
   for i = 0, 400 do shown[i + 1] = i*case[2]/400 end
   run:plot("angle", { times = shown, title = ("Figure %s: |E| to t = %d"):format(case[1], case[2]), height = 14 })
 end
-if arg[1] then run:csv(arg[1], { every = 0.1, columns = { "t", "angle", "euler_vector" } }) end
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure7.csv"
+if csv then run:csv(csv, { every = 0.1, columns = { "t", "angle", "euler_vector" } }) end
 
 local found = run:frequencies(2, { of = "quaternion_w" })
 local lines = { [found[1].name] = found[1], [found[2].name] = found[2] }
@@ -128,6 +130,3 @@ theorem("Figure 7: |E| stays between bounds that it comes ever nearer to", funct
     end
   end)
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure7.lua figure7.csv" end

@@ -5,7 +5,7 @@
 -- The strobe points, at multiples of T, are (-exp(u Omega T/2))^k Q(0), u = (i - alpha k)/Omega: they go round a
 -- circle, by sqrt 5/4 + 1/2 turns each, and their M lie in a plane.
 --
---   rotor examples/paper/figure9.lua figure9.csv     also writes E over t to that file, the strobe points to
+--   rotor examples/paper/figure9.lua [figure9.csv]     writes E over t to that file, the strobe points to
 --                                                    figure9_strobe.csv
 
 local alpha = 2
@@ -63,9 +63,11 @@ for _, row in ipairs {
   print(("%-30s %-16s %14.10g %14.10g"):format(table.unpack(row)))
 end
 print "-: no number in the text of the paper\n"
-if arg[1] then
-  run:csv(arg[1], { every = 0.1, columns = { "t", "angle", "euler_vector" } })
-  strobe:csv((arg[1]:gsub("%.csv$", "")) .. "_strobe.csv", { columns = { "t", "euler_vector", "quaternion" } })
+-- Neither figures.lua nor --test has the program, arg[-1], before the script.
+local csv = arg[1] or arg[-1] and "figure9.csv"
+if csv then
+  run:csv(csv, { every = 0.1, columns = { "t", "angle", "euler_vector" } })
+  strobe:csv((csv:gsub("%.csv$", "")) .. "_strobe.csv", { columns = { "t", "euler_vector", "quaternion" } })
 end
 
 local times = {}
@@ -124,6 +126,3 @@ theorem("Figure 9: the strobe points lie on a circle, and never come back", func
   local few = evolve { omega = omega, from = run.start, to = 400 }:strobe(pi)
   near((sqrt(5) - 2)/4, few.rotation_number, few.rotation_number_error + 2^-53, "the rotation number, (sqrt 5 - 2)/4")
 end)
-
--- The program, arg[-1], runs this script neither for figures.lua nor with --test.
-if not arg[1] and arg[-1] then print "CSV: rotor examples/paper/figure9.lua figure9.csv" end

@@ -1,11 +1,12 @@
 -- All figures of the paper, one after another: figure1.lua to figure11.lua and body_point.lua, those that are beside
 -- this file. After each a line says how long it took, of the processor's time, and how much was checked.
 --
---   rotor examples/paper/figures.lua             prints and draws all
---   rotor examples/paper/figures.lua DIRECTORY   also writes their CSV there, figure1.csv and so on
+--   rotor examples/paper/figures.lua             prints and draws all, and writes their CSV, figure1.csv and so on
+--   rotor examples/paper/figures.lua DIRECTORY   writes these into a directory
 
 local here = arg[0]:match "^(.*/)" or "./"
-local directory = arg[1] and arg[1]:gsub("/*$", "/")
+-- With --test there is no program, arg[-1], before the script, and nothing is written.
+local directory = arg[1] and arg[1]:gsub("/*$", "/") or arg[-1] and ""
 
 local names = {}
 for i = 1, 11 do names[i] = "figure" .. i end
