@@ -123,11 +123,12 @@ std::vector<double> stops(const Run& run) {
 
 }  // namespace
 
-// From d to moved d; with A at the end.
+// From d to moved d; with the state and A at the end.
 struct Variation::Step {
   bool passable = false;
   Matrix moved = Matrix::Identity();
   double error = std::numeric_limits<double>::infinity();
+  State end;
   Matrix rate_at_end;
 };
 
@@ -153,8 +154,9 @@ Matrix Variation::rate(double t, const State& state) const {
 // root less than the larger of f_10 and f_11, f_12 by the whole of it. Where f hardly falls, as
 // where omega jumps or bends, the nodes do not tell what lies between them; nor do they where A at
 // the ends, which are no nodes, is not what they say.
-Variation::Step Variation::step(double t, double h, const Matrix& rate_at_t) const {
+Variation::Step Variation::step(double t, double t_next, const Matrix& rate_at_t) const {
   const Collocation& method = gauss();
+  const double h = t_next - t;
   Step result;
   Values rates;
   for (Eigen::Index j = 0; j < kStages; ++j) {
@@ -174,7 +176,8 @@ Variation::Step Variation::step(double t, double h, const Matrix& rate_at_t) con
   }
   system.diagonal().array() += 1;
   const Blocks x = system.partialPivLu().solve(Matrix::Identity().replicate<kStages, 1>());
-  result.rate_at_end = rate(t + h, chart_state(run_, t + h, chart_));
+  result.end = chart_state(run_, t_next, chart_);
+  result.rate_at_end = rate(t_next, result.end);
   Matrix miss_at_start = -h * rate_at_t;
   Matrix miss_at_end = -h * result.rate_at_end;
   Values slopes;
@@ -214,11 +217,12 @@ void Variation::follow(double t, double t_end, Matrix& d, Vector& logs) {
     part_ = part_of_chart(chart_, state);
     const double t_next = step_towards(t_end, t, h_);
     const double taken = std::abs(t_next - t);
-    const Step made = step(t, t_next - t, rate_at_t);
+    const Step made = step(t, t_next, rate_at_t);
     const double allowed = kAllowed * made.moved.norm();
     if (made.error <= allowed) {
       t = t_next;
       d = made.moved * d;
+      state = made.end;
       rate_at_t = made.rate_at_end;
       // The last step of an interval is as short as its rest: it says nothing against h.
       const double factor = kCaution * step_factor(made.error, allowed, 2 * kStages);
@@ -231,11 +235,11 @@ void Variation::follow(double t, double t_end, Matrix& d, Vector& logs) {
       const double end = end_of_bridge(t, t_end);
       d = bridge_(t, end) * d;
       t = end;
-      rate_at_t = rate(t, chart_state(run_, t, chart_));
+      state = chart_state(run_, t, chart_);
+      rate_at_t = rate(t, state);
       ++bridged_;
     }
     logs += orthonormalise(d);
-    state = chart_state(run_, t, chart_);
   }
 }
 

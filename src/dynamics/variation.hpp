@@ -31,7 +31,7 @@ class Variation {
   struct Step;
   bool passable(const State& state) const;
   Matrix rate(double t, const State& state) const;
-  Step step(double t, double h, const Matrix& rate_at_t) const;
+  Step step(double t, double t_next, const Matrix& rate_at_t) const;
   void follow(double t, double t_end, Matrix& d, Vector& logs);
   double end_of_bridge(double t, double t_end) const;
 
