@@ -51,19 +51,6 @@ std::vector<double> line_strengths(const Run& run, double period, const Vector& 
   return strengths;
 }
 
-// What the rounding of the start and of the end of a period turns, at most: by |omega| at some
-// places of it.
-double rounding_of_times(const Run& run, double period) {
-  constexpr int kLooks = 16;
-  const double forward = run.t1() >= run.t0() ? 1 : -1;
-  double greatest = 0;
-  for (int i = 0; i < kLooks; ++i) {
-    const double t = run.t0() + forward * period * i / kLooks;
-    greatest = std::max(greatest, norm(run.propagator().flow->generator(t)));
-  }
-  return kEpsilon * (std::abs(run.t0()) + 2 * period) * greatest;
-}
-
 // If omega repeats, U(t0 + 2 T) = U(t0 + T)^2.
 void refuse_other_period(const Run& run, double period, const Quaternion& end, double of_t) {
   if (2 * period > std::abs(run.t1() - run.t0())) return;
@@ -90,6 +77,14 @@ std::optional<double> drive_period(const AngularVelocity& omega) {
   return std::nullopt;
 }
 
+double greatest_rate(const Run& run, double t, double period) {
+  constexpr int kLooks = 16;
+  double greatest = 0;
+  for (int i = 0; i < kLooks; ++i)
+    greatest = std::max(greatest, norm(run.propagator().flow->generator(t + period * i / kLooks)));
+  return greatest;
+}
+
 FloquetFrequencies floquet_frequencies(const Run& run, double period) {
   if (const auto* constant = run.driver().as<ConstantSpin>())
     return {0, norm(constant->value(0)) / (2 * kTwoPi), 1};
@@ -102,7 +97,9 @@ FloquetFrequencies floquet_frequencies(const Run& run, double period) {
                                 text(run.t0()) + " .. " + text(run.t1()));
   }
   const double forward = run.t1() >= run.t0() ? 1 : -1;
-  const double of_t = rounding_of_times(run, period);
+  // What the rounding of the start and of the end of two periods turns.
+  const double of_t =
+      kEpsilon * (std::abs(run.t0()) + 2 * period) * greatest_rate(run, run.t0(), forward * period);
   const Quaternion end = run.propagator().flow->at(run.t0() + forward * period);
   refuse_other_period(run, period, end, of_t);
   const double sine = end.vec().norm();

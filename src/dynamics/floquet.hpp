@@ -27,6 +27,9 @@ struct FloquetFrequencies {
 /// The period that omega is known to have: of a PeriodicSpin, of a TurningSpin.
 std::optional<double> drive_period(const AngularVelocity& omega);
 
+/// The greatest |omega| at 16 times of the period from t on, backward where it is negative.
+double greatest_rate(const Run& run, double t, double period);
+
 /// From one period after the start. Of a constant omega the period does not matter. Throws
 /// std::invalid_argument unless the period is positive and no longer than the run, and where omega,
 /// as far as two periods tell, does not repeat with it.

@@ -44,16 +44,9 @@ Extended angle_of_advance(std::span<const Quaternion> turns, const Vector& axis)
   return beta;
 }
 
-// The greatest |omega| at a few times of the first period.
+// The greatest |omega| in the first period.
 double speed(const Run& run, std::span<const double> times) {
-  constexpr int kLooks = 16;
-  const double period = times.size() > 1 ? times[1] - times[0] : 0;
-  double greatest = 0;
-  for (int i = 0; i < kLooks; ++i) {
-    greatest =
-        std::max(greatest, norm(run.propagator().flow->generator(times[0] + period * i / kLooks)));
-  }
-  return greatest;
+  return greatest_rate(run, times[0], times.size() > 1 ? times[1] - times[0] : 0);
 }
 
 // Whether omega repeats with the period by what it is: a whole number of its own ones, which are

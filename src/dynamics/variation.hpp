@@ -11,8 +11,7 @@
 namespace rotor {
 
 /// d' = A(t) d along a run, by collocation at 12 nodes of Gauss, of order 24, on the run's dense
-/// output: omega is taken from it, and no script is called. Local errors are 1e-10 of d at most, by
-/// an estimate that is some hundred times too large.
+/// output: omega is taken from it, and no script is called. Local errors are 1e-10 of d at most.
 class Variation {
  public:
   /// D(t1) D(t0)^-1 of the tangent map, which goes across where the chart is singular or nearly so.
